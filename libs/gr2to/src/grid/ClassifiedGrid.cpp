@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "gr2to/grid/errors.h"
+#include "gr2to/base/errors.h"
 
 namespace gr2to
 {

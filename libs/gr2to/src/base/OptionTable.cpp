@@ -1,4 +1,4 @@
-#include "gr2to/options/OptionTable.h"
+#include "gr2to/base/OptionTable.h"
 
 #include <mrpt/config/CConfigFileBase.h>
 
