@@ -32,12 +32,9 @@ struct TDoorLikeOptions : gr2to::OptionTable
 
 std::string messageOf(const std::function<void()>& action)
 {
-    try
-    {
+    try {
         action();
-    }
-    catch (const std::invalid_argument& e)
-    {
+    } catch (const std::invalid_argument& e) {
         return e.what();
     }
     return "";

@@ -7,7 +7,8 @@
 
 namespace gr2to::test
 {
-/** A grid from a drawing: '#' is occupied, '?' unknown, all else free; the first row is the top (largest y). */
+/** A grid from a drawing: '#' is occupied, '?' unknown, all else free; the first row is the top (largest y).
+ */
 ClassifiedGrid drawMap(const std::vector<std::string>& rows, double resolution_m = 0.05);
 
 /** A random grid of seeded noise: each cell occupied, unknown or free with the given odds. */

@@ -52,11 +52,10 @@ std::string withUnit(const std::string& text, const std::string& unit)
 void checkField(const std::string& section, const OptionField& field)
 {
     const auto complain = [&](const std::string& rule) {
-        throw std::invalid_argument(section + "." + field.name + " = " + withUnit(field.valueText(), field.unit) +
-                                    " " + rule);
+        throw std::invalid_argument(section + "." + field.name + " = " +
+                                    withUnit(field.valueText(), field.unit) + " " + rule);
     };
-    if (const auto* const* name = std::get_if<std::string*>(&field.value))
-    {
+    if (const auto* const* name = std::get_if<std::string*>(&field.value)) {
         if (field.choices.empty()) return;
         if (std::find(field.choices.begin(), field.choices.end(), **name) == field.choices.end())
             complain("must be one of " + field.typeText());
@@ -99,8 +98,7 @@ std::string OptionField::rangeText() const
 void OptionTable::set(const std::string& name, const std::string& text)
 {
     std::vector<std::string> known;
-    for (const auto& field : fields())
-    {
+    for (const auto& field : fields()) {
         known.push_back(section() + "." + field.name);
         if (field.name != name) continue;
         if (!parse(text, field.value))
@@ -144,12 +142,10 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     const auto editDistance = [&](const std::string& other) {
         std::vector<std::size_t> row(other.size() + 1);
         std::iota(row.begin(), row.end(), std::size_t{0});
-        for (std::size_t i = 1; i <= word.size(); ++i)
-        {
+        for (std::size_t i = 1; i <= word.size(); ++i) {
             std::size_t diagonal = row[0];
             row[0] = i;
-            for (std::size_t j = 1; j <= other.size(); ++j)
-            {
+            for (std::size_t j = 1; j <= other.size(); ++j) {
                 const std::size_t substituted = diagonal + (word[i - 1] == other[j - 1] ? 0U : 1U);
                 diagonal = row[j];
                 row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
@@ -160,8 +156,7 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     std::string best;
     std::size_t bestDistance = std::numeric_limits<std::size_t>::max();
     for (const auto& candidate : candidates)
-        if (const auto distance = editDistance(candidate); distance < bestDistance)
-        {
+        if (const auto distance = editDistance(candidate); distance < bestDistance) {
             bestDistance = distance;
             best = candidate;
         }

@@ -5,8 +5,8 @@
 
 #include <cerrno>
 #include <fstream>
-#include <utility>
 #include <system_error>
+#include <utility>
 
 #include "gr2to/base/errors.h"
 
@@ -16,12 +16,15 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::string reason() { return std::generic_category().message(errno); }
+std::string reason()
+{
+    return std::generic_category().message(errno);
+}
 
 /** Closes on every way out; close() itself is checked by the caller through release(). */
 class Descriptor
 {
-   public:
+ public:
     explicit Descriptor(int fd) : m_fd(fd) {}
     Descriptor(const Descriptor&) = delete;
     Descriptor& operator=(const Descriptor&) = delete;
@@ -32,7 +35,7 @@ class Descriptor
     int get() const { return m_fd; }
     int release() { return std::exchange(m_fd, -1); }
 
-   private:
+ private:
     int m_fd;
 };
 }  // namespace
@@ -44,8 +47,7 @@ void writeFile(const fs::path& path, std::string_view bytes)
     };
     Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (file.get() < 0) fail("create");
-    while (!bytes.empty())
-    {
+    while (!bytes.empty()) {
         const auto written = ::write(file.get(), bytes.data(), bytes.size());
         if (written < 0 && errno == EINTR) continue;
         if (written < 0) fail("write");
@@ -88,8 +90,7 @@ fs::path OutputTransaction::stage(const fs::path& target)
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
     std::vector<fs::path> missing;
     for (fs::path p = folder; !p.empty() && !fs::exists(p, error); p = p.parent_path()) missing.push_back(p);
-    for (auto p = missing.rbegin(); p != missing.rend(); ++p)
-    {
+    for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
         if (!fs::create_directory(*p, error) || error)
             throw InputError("the output folder '" + p->string() + "' cannot be made: " + error.message());
         m_foldersMade.push_back(*p);
@@ -97,15 +98,15 @@ fs::path OutputTransaction::stage(const fs::path& target)
     if (!fs::is_directory(folder, error)) throw InputError("'" + folder.string() + "' is not a folder");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw InputError("the output folder '" + folder.string() + "' is not writable: " + reason());
-    const fs::path temporary = folder / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
+    const fs::path temporary =
+        folder / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
     m_files.push_back({temporary, target});
     return temporary;
 }
 
 void OutputTransaction::commit()
 {
-    for (const auto& file : m_files)
-    {
+    for (const auto& file : m_files) {
         std::error_code error;
         fs::rename(file.temporary, file.target, error);
         if (error)

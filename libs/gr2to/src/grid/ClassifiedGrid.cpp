@@ -35,9 +35,10 @@ ClassifiedGrid::ClassifiedGrid(int width, int height, GridFrame frame, CellState
         throw InputError("the grid has " + std::to_string(width) + " x " + std::to_string(height) +
                          " cells; both sides must be positive");
     const auto cells = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
-    if (cells > maxCells())
+    if (std::max(width, height) > maxSide())
         throw InputError("the grid has " + std::to_string(width) + " x " + std::to_string(height) +
-                         " cells; at most 2^31 are supported: crop it or use a coarser resolution");
+                         " cells; at most " + std::to_string(maxSide()) +
+                         " a side are supported: crop it or use a coarser resolution");
     if (!(std::isfinite(frame.resolution_m) && frame.resolution_m > 0.0))
         throw InputError("the resolution is " + std::to_string(frame.resolution_m) +
                          " m; it must be a positive number of metres per cell");

@@ -10,7 +10,8 @@
 
 namespace gr2to
 {
-/** One row of an option table: everything that loading, dumping, checking, `--help` and the docs need to know. */
+/** One row of an option table: everything that loading, dumping, checking, `--help` and the docs need to
+ * know. */
 struct OptionField
 {
     using Value = std::variant<double*, int*, bool*, std::string*>;
@@ -35,13 +36,14 @@ struct OptionField
  */
 class OptionTable : public mrpt::config::CLoadableOptions
 {
-   public:
+ public:
     virtual std::string section() const = 0;
     /** The table; `value` points into this object. */
     virtual std::vector<OptionField> fields() = 0;
 
     /** Sets one field from text; `name` without the section.
-     * \throws std::invalid_argument  unknown name (the message names the nearest), unreadable or out-of-range value
+     * \throws std::invalid_argument  unknown name (the message names the nearest), unreadable or out-of-range
+     * value
      */
     void set(const std::string& name, const std::string& text);
     /** Checks ranges, then the rules between fields.
@@ -56,7 +58,7 @@ class OptionTable : public mrpt::config::CLoadableOptions
     void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
     void dumpToTextStream(std::ostream& out) const override;
 
-   protected:
+ protected:
     OptionTable() = default;
     OptionTable(const OptionTable&) = default;
     OptionTable& operator=(const OptionTable&) = default;

@@ -12,14 +12,15 @@ namespace gr2to
  */
 class InputError : public std::runtime_error
 {
-   public:
+ public:
     using std::runtime_error::runtime_error;
 };
 
-/** A result could not be produced or stored, for example because the disk is full. Applications answer with 1. */
+/** A result could not be produced or stored, for example because the disk is full. Applications answer
+ * with 1. */
 class OutputError : public std::runtime_error
 {
-   public:
+ public:
     using std::runtime_error::runtime_error;
 };
 }  // namespace gr2to

@@ -7,7 +7,8 @@
 
 namespace gr2to
 {
-/** Writes a whole file. \throws OutputError  it cannot be created or not all bytes could be stored (disk full) */
+/** Writes a whole file. \throws OutputError  it cannot be created or not all bytes could be stored (disk
+ * full) */
 void writeFile(const std::filesystem::path& path, std::string_view bytes);
 
 /** The bytes of a regular file.
@@ -17,12 +18,12 @@ std::string readFile(const std::filesystem::path& path);
 
 /** Several output files that appear together or not at all.
  *
- * Each file is written under a temporary name beside its final one; commit() renames them all. Without a commit the
- * temporary files, and the folders that the transaction made, are removed again.
+ * Each file is written under a temporary name beside its final one; commit() renames them all. Without a
+ * commit the temporary files, and the folders that the transaction made, are removed again.
  */
 class OutputTransaction
 {
-   public:
+ public:
     OutputTransaction() = default;
     OutputTransaction(const OutputTransaction&) = delete;
     OutputTransaction& operator=(const OutputTransaction&) = delete;
@@ -33,11 +34,14 @@ class OutputTransaction
      */
     std::filesystem::path stage(const std::filesystem::path& target);
     /** Stages and writes in one go. \throws InputError, OutputError */
-    void write(const std::filesystem::path& target, std::string_view bytes) { writeFile(stage(target), bytes); }
+    void write(const std::filesystem::path& target, std::string_view bytes)
+    {
+        writeFile(stage(target), bytes);
+    }
     /** Renames every staged file to its final name. \throws OutputError  a rename failed */
     void commit();
 
-   private:
+ private:
     struct Staged
     {
         std::filesystem::path temporary;

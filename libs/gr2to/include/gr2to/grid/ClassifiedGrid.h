@@ -26,8 +26,9 @@ struct Cell
 
 /** Where a grid lies in the map frame: metres, x right, y up, square cells.
  *
- * The origin is the map-frame position of the bottom-left *corner* of cell (0, 0); yaw turns the grid about it,
- * counter-clockwise. Continuous grid coordinates are in cells, with the *centre* of cell (c, r) at (c, r).
+ * The origin is the map-frame position of the bottom-left *corner* of cell (0, 0); yaw turns the grid about
+ * it, counter-clockwise. Continuous grid coordinates are in cells, with the *centre* of cell (c, r) at (c,
+ * r).
  */
 struct GridFrame
 {
@@ -51,15 +52,16 @@ struct GridFrame
  */
 class ClassifiedGrid
 {
-   public:
+ public:
     ClassifiedGrid() = default;
     /** A grid of cells in one state.
-     * \throws InputError  a side is not positive, the area exceeds maxCells(), or the resolution is not a positive number
+     * \throws InputError  a side is not positive, exceeds maxSide(), or the resolution is not a positive
+     * number
      */
     ClassifiedGrid(int width, int height, GridFrame frame, CellState fill = CellState::Unknown);
 
-    /** Most cells that a grid may hold: cell indices are 32 bits. */
-    static constexpr std::size_t maxCells() { return std::size_t{1} << 31U; }
+    /** Most cells along a side: the squared diagonal and cell indices then fit 32 bits. */
+    static constexpr int maxSide() { return 32767; }
 
     int width() const { return m_width; }
     int height() const { return m_height; }
@@ -71,7 +73,8 @@ class ClassifiedGrid
     bool contains(Cell c) const { return c.x >= 0 && c.y >= 0 && c.x < m_width && c.y < m_height; }
     std::size_t index(Cell c) const
     {
-        return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(m_width) + static_cast<std::size_t>(c.x);
+        return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(m_width) +
+               static_cast<std::size_t>(c.x);
     }
     Cell cell(std::size_t index) const
     {
@@ -95,7 +98,7 @@ class ClassifiedGrid
 
     friend bool operator==(const ClassifiedGrid& a, const ClassifiedGrid& b);
 
-   private:
+ private:
     int m_width = 0;
     int m_height = 0;
     GridFrame m_frame;

@@ -25,7 +25,8 @@ struct PlaceImage
     }
     std::size_t index(Cell c) const
     {
-        return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(c.x);
+        return static_cast<std::size_t>(c.y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(c.x);
     }
     PlaceId at(Cell c) const { return ids[index(c)]; }
 };

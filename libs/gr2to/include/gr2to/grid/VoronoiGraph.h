@@ -8,6 +8,8 @@
 
 namespace gr2to
 {
+class Mask;
+
 /** An end or a junction of the Voronoi diagram, or one cell of a cycle that has neither. */
 struct VoronoiNode
 {
@@ -41,6 +43,10 @@ struct VoronoiGraph
     int height = 0;
     std::vector<std::uint32_t> cells;  //!< indices (y * width + x) of the diagram's cells, ascending
     std::vector<VoronoiNode> nodes;    //!< in raster order
-    std::vector<VoronoiEdge> edges;    //!< in order of their first node, then of their direction of leaving it
+    std::vector<VoronoiEdge> edges;  //!< in order of their first node, then of their direction of leaving it
 };
+
+/** Follows thinned curves (as from thin()) from node to node. Cost: linear in the number of cells of the
+ * mask. */
+VoronoiGraph traceGraph(Mask curves);
 }  // namespace gr2to

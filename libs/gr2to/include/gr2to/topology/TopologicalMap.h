@@ -12,13 +12,13 @@ namespace gr2to
 {
 /** The augmented topological map M_t = (P, C), eq. (1): places joined by connections with doorways.
  *
- * The edges live in an mrpt::graphs::CDirectedGraph, so MRPT's graph algorithms run on them; parallel connections
- * (two doors between the same rooms) and isolated places are kept. A connection is stored once, from the smaller
- * place id to the larger, and stands for both directions.
+ * The edges live in an mrpt::graphs::CDirectedGraph, so MRPT's graph algorithms run on them; parallel
+ * connections (two doors between the same rooms) and isolated places are kept. A connection is stored once,
+ * from the smaller place id to the larger, and stands for both directions.
  */
 class TopologicalMap
 {
-   public:
+ public:
     using Graph = mrpt::graphs::CDirectedGraph<Connection>;
 
     std::string frame = "map";  //!< name of the frame that every position is expressed in
@@ -44,15 +44,16 @@ class TopologicalMap
 
     /** Everything that is wrong with the map, one line each; empty when the model's invariants hold.
      *
-     * Places: ids from 1, finite centre and area > 0, boundary of no or at least three finite vertices; walls with
-     * unique ids, unit normals, lengths > 0; connections with unique ids between two different existing places, width > 0;
-     * every covariance finite, symmetric and positive semi-definite; resolution positive and finite.
+     * Places: ids from 1, finite centre and area > 0, boundary of no or at least three finite vertices; walls
+     * with unique ids, unit normals, lengths > 0; connections with unique ids between two different existing
+     * places, width > 0; every covariance finite, symmetric and positive semi-definite; resolution positive
+     * and finite.
      */
     std::vector<std::string> validate() const;
 
     friend bool operator==(const TopologicalMap& a, const TopologicalMap& b);
 
-   private:
+ private:
     std::map<PlaceId, Place> m_places;
     Graph m_graph;
 };

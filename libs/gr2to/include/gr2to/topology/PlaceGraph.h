@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "gr2to/grid/VoronoiGraph.h"
+
+namespace gr2to
+{
+/** A spot where a door is likely, eq. (8). */
+struct DoorCandidate
+{
+    Cell center;              //!< the likely cell nearest to the mean of all
+    std::vector<Cell> cells;  //!< likely cells, in raster order
+};
+
+/** A door that a critical point supports; its line runs from jamb to critical point to jamb. */
+struct ValidatedDoor
+{
+    CriticalPoint critical;
+    Cell jambA;              //!< obstacle nearest to the critical point
+    Cell jambB;              //!< nearest obstacle on the other side
+    std::vector<Cell> line;  //!< cells of the closed door, 8-connected, both jambs included
+};
+
+/** A place before it is delimited: a circle on the Voronoi diagram that touches no obstacle inside. */
+struct PlaceCircle
+{
+    Cell center;
+    double radius_cells = 0;
+};
+
+/** Two circles joined along the Voronoi diagram. */
+struct PlaceLink
+{
+    std::size_t from = 0;  //!< index of a circle, smaller than `to`
+    std::size_t to = 0;
+    Cell at;                     //!< where the two meet on the diagram
+    double clearance_cells = 0;  //!< at that cell
+    int door = -1;               //!< index of the door that the link passes, -1 for an opening
+};
+
+/** Circles, doors and links: the topology that the fourth stage finds. */
+struct PlaceGraph
+{
+    std::vector<PlaceCircle> circles;  //!< in raster order of their centres
+    std::vector<ValidatedDoor> doors;  //!< in raster order of their critical points
+    std::vector<PlaceLink> links;      //!< in the order of (from, to, position)
+    /** For each of VoronoiGraph::cells the circle that it belongs to, or -1: on closed doors and in pockets
+     * too small. */
+    std::vector<int> circleOfCell;
+};
+}  // namespace gr2to
