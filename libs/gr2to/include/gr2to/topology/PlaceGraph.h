@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "gr2to/grid/Circles.h"
 #include "gr2to/grid/VoronoiGraph.h"
 
 namespace gr2to
@@ -23,13 +24,6 @@ struct ValidatedDoor
     std::vector<Cell> line;  //!< cells of the closed door, 8-connected, both jambs included
 };
 
-/** A place before it is delimited: a circle on the Voronoi diagram that touches no obstacle inside. */
-struct PlaceCircle
-{
-    Cell center;
-    double radius_cells = 0;
-};
-
 /** Two circles joined along the Voronoi diagram. */
 struct PlaceLink
 {
@@ -43,7 +37,7 @@ struct PlaceLink
 /** Circles, doors and links: the topology that the fourth stage finds. */
 struct PlaceGraph
 {
-    std::vector<PlaceCircle> circles;  //!< in raster order of their centres
+    std::vector<Circle> circles;       //!< places before they are delimited, in raster order of their centres
     std::vector<ValidatedDoor> doors;  //!< in raster order of their critical points
     std::vector<PlaceLink> links;      //!< in the order of (from, to, position)
     /** For each of VoronoiGraph::cells the circle that it belongs to, or -1: on closed doors and in pockets

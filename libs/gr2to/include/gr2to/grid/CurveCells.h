@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "gr2to/grid/Circles.h"
+#include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/VoronoiGraph.h"
+
+namespace gr2to
+{
+/** The Voronoi diagram's cells with their side neighbours; a cell is named by its index in
+ * VoronoiGraph::cells. */
+class CurveCells
+{
+ public:
+    explicit CurveCells(const VoronoiGraph& voronoi);
+
+    static constexpr int none() { return -1; }
+    std::size_t size() const { return m_voronoi.cells.size(); }
+    Cell cell(std::size_t i) const
+    {
+        const auto width = static_cast<std::uint32_t>(m_voronoi.width);
+        return {static_cast<int>(m_voronoi.cells[i] % width), static_cast<int>(m_voronoi.cells[i] / width)};
+    }
+    /** Right, upper, left and lower neighbour, none() where there is none. */
+    const std::array<int, 4>& neighbours(std::size_t i) const { return m_neighbours[i]; }
+    /** Index of a cell of the diagram, none() for others. */
+    int find(Cell c) const;
+
+    /** Numbers the parts of the diagram that are connected without the blocked cells, from 0; -1 on blocked
+     * cells. */
+    std::vector<int> parts(const std::vector<bool>& blocked, int* count) const;
+
+    /** For each cell the circle that reaches it first along the diagram, none() where none does.
+     *
+     * Circles grow at the same speed from their rims: a cell's cost is the length of the way to it less the
+     * radius. \param circles  centred on cells of the diagram  \param blocked  cells that no way may pass
+     */
+    std::vector<int> growCircles(const std::vector<Circle>& circles, const std::vector<bool>& blocked) const;
+
+ private:
+    const VoronoiGraph& m_voronoi;
+    std::vector<std::array<int, 4>> m_neighbours;
+};
+}  // namespace gr2to

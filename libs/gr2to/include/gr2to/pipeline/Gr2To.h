@@ -1,0 +1,87 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gr2to/stages/DoorDetection.h"
+#include "gr2to/stages/PlaceConstruction.h"
+#include "gr2to/stages/SpaceDelimitation.h"
+#include "gr2to/stages/VoronoiExtraction.h"
+
+namespace gr2to
+{
+struct TDistanceOptions : OptionTable
+{
+    bool unknown_is_obstacle = true;
+
+    std::string section() const override { return "distance"; }
+    std::vector<OptionField> fields() override;
+};
+
+/** The options of all stages. */
+struct Gr2ToOptions
+{
+    TDistanceOptions distance;
+    TDoorOptions door;
+    TVoronoiOptions voronoi;
+    TPlaceOptions place;
+    TDelimitationOptions delimitation;
+
+    /** Names of the presets, the default one first. */
+    static std::vector<std::string> presets();
+    /** \param preset `default`, or `paper`: the paper's method to the letter, as doc/algorithm.md reads it
+     * \throws std::invalid_argument  unknown preset; the message names the nearest
+     */
+    static Gr2ToOptions preset(const std::string& name);
+
+    /** The tables, in the order of the stages; they point into this object. */
+    std::vector<OptionTable*> tables();
+    /** Sets `section.name`. \throws std::invalid_argument  unknown key (the nearest is named) or bad value */
+    void set(const std::string& key, const std::string& value);
+    /** Reads an ini file in MRPT's format. \throws std::invalid_argument  unknown section or key, bad value
+     */
+    void loadFrom(const mrpt::config::CConfigFileBase& source);
+    /** \throws std::invalid_argument  an option breaks its rule */
+    void check();
+};
+
+/** What a stage did: for the table at the end of `gr2to extract`. */
+struct StageReport
+{
+    std::string stage;
+    std::vector<std::pair<std::string, std::size_t>> counts;  //!< what it found, by name
+    double seconds = 0;
+    std::size_t bytes = 0;  //!< held by its results
+};
+
+/** The map and everything that was found on the way to it. */
+struct Extraction
+{
+    DistanceMap distances;
+    std::vector<DoorCandidate> doorCandidates;
+    VoronoiGraph voronoi;
+    std::vector<CriticalPoint> criticalPoints;
+    PlaceGraph graph;
+    PlaceImage places;
+    TopologicalMap map;
+    std::vector<StageReport> reports;
+};
+
+/** From an occupancy grid to an augmented topological map, in the paper's stages two to five.
+ *
+ * Deterministic: the same grid and options give the same result. Source: Gr2To paper, section 4.
+ */
+class Gr2To
+{
+ public:
+    /** \throws std::invalid_argument  an option breaks its rule */
+    explicit Gr2To(Gr2ToOptions options = Gr2ToOptions::preset("default"));
+
+    /** \throws InputError  the grid has no free or no occupied cell; see requireUsable() in io */
+    Extraction extract(const ClassifiedGrid& grid) const;
+
+ private:
+    Gr2ToOptions m_options;
+};
+}  // namespace gr2to

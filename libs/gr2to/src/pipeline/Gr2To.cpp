@@ -1,0 +1,100 @@
+#include "gr2to/pipeline/Gr2To.h"
+
+#include <chrono>
+
+#include "gr2to/base/errors.h"
+
+namespace gr2to
+{
+namespace
+{
+template <class T>
+std::size_t bytesOf(const std::vector<T>& v)
+{
+    return v.capacity() * sizeof(T);
+}
+
+std::size_t bytesOf(const VoronoiGraph& voronoi)
+{
+    std::size_t bytes = bytesOf(voronoi.cells) + bytesOf(voronoi.nodes) + bytesOf(voronoi.edges);
+    for (const VoronoiEdge& edge : voronoi.edges) bytes += bytesOf(edge.cells);
+    return bytes;
+}
+
+/** Times the stages and keeps their reports. */
+class Clock
+{
+ public:
+    explicit Clock(std::vector<StageReport>& reports) : m_reports(reports) {}
+
+    void report(const char* stage, std::vector<std::pair<std::string, std::size_t>> counts, std::size_t bytes)
+    {
+        const auto now = std::chrono::steady_clock::now();
+        m_reports.push_back(
+            {stage, std::move(counts), std::chrono::duration<double>(now - m_last).count(), bytes});
+        m_last = now;
+    }
+
+ private:
+    std::vector<StageReport>& m_reports;
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+std::size_t countReal(const TopologicalMap& map)
+{
+    std::size_t real = 0;
+    for (const auto& [id, place] : map.places())
+        for (const Wall& wall : place.walls) real += wall.real ? 1 : 0;
+    return real;
+}
+}  // namespace
+
+Gr2To::Gr2To(Gr2ToOptions options) : m_options(std::move(options))
+{
+    m_options.check();
+}
+
+Extraction Gr2To::extract(const ClassifiedGrid& grid) const
+{
+    if (grid.count(CellState::Free) == 0)
+        throw InputError("the grid has no free cell: there is no place to find");
+    if (grid.count(CellState::Occupied) == 0)
+        throw InputError("the grid has no occupied cell: nothing delimits a place");
+    const Obstacles obstacles =
+        m_options.distance.unknown_is_obstacle ? Obstacles::OccupiedOrUnknown : Obstacles::Occupied;
+    const PlaceBuilder builder(m_options.place);
+    Extraction e;
+    Clock clock(e.reports);
+
+    NearestObstacles nearest;
+    e.distances = measureDistances(grid, obstacles, &nearest);
+    clock.report("distance map", {{"cells", grid.size()}}, bytesOf(e.distances.squared));
+
+    e.doorCandidates = DoorDetector(m_options.door).detect(grid, e.distances);
+    clock.report("door detection", {{"candidates", e.doorCandidates.size()}}, bytesOf(e.doorCandidates));
+
+    e.voronoi = VoronoiExtractor(m_options.voronoi).extract(grid, e.distances, nearest);
+    nearest = NearestObstacles();
+    clock.report("Voronoi diagram", {{"nodes", e.voronoi.nodes.size()}, {"edges", e.voronoi.edges.size()}},
+                 bytesOf(e.voronoi));
+
+    e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
+    e.graph = builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles), e.voronoi,
+                            e.distances, grid.resolution_m());
+    clock.report("place construction",
+                 {{"critical points", e.criticalPoints.size()},
+                  {"circles", e.graph.circles.size()},
+                  {"doors", e.graph.doors.size()}},
+                 bytesOf(e.graph.circleOfCell));
+
+    DelimitedSpace space = SpaceDelimiter(m_options.delimitation).delimit(grid, e.voronoi, e.graph);
+    e.places = std::move(space.places);
+    e.map = std::move(space.map);
+    clock.report("space delimitation",
+                 {{"places", e.map.places().size()},
+                  {"connections", e.map.graph().edgeCount()},
+                  {"real walls", countReal(e.map)}},
+                 bytesOf(e.places.ids));
+    return e;
+}
+}  // namespace gr2to

@@ -1,0 +1,67 @@
+#include <mrpt/config/CConfigFileBase.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "gr2to/pipeline/Gr2To.h"
+
+namespace gr2to
+{
+std::vector<OptionField> TDistanceOptions::fields()
+{
+    return {{"unknown_is_obstacle", &unknown_is_obstacle, "",
+             "Whether clearance is measured to unknown cells too, not to occupied ones alone."}};
+}
+
+std::vector<std::string> Gr2ToOptions::presets()
+{
+    return {"default", "paper"};
+}
+
+Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
+{
+    Gr2ToOptions options;
+    if (name == "paper")
+        options.distance.unknown_is_obstacle =
+            false;  // "the euclidean distance to the nearest occupied cell"
+    else if (name != "default")
+        throw std::invalid_argument("unknown preset '" + name + "'; did you mean '" +
+                                    nearestWord(name, presets()) + "'?");
+    return options;
+}
+
+std::vector<OptionTable*> Gr2ToOptions::tables()
+{
+    return {&distance, &door, &voronoi, &place, &delimitation};
+}
+
+void Gr2ToOptions::set(const std::string& key, const std::string& value)
+{
+    const auto dot = key.find('.');
+    std::vector<std::string> known;
+    for (OptionTable* table : tables())
+        for (const OptionField& field : table->fields()) {
+            known.push_back(table->section() + "." + field.name);
+            if (known.back() == key) return table->set(key.substr(dot + 1), value);
+        }
+    throw std::invalid_argument("unknown option '" + key + "'; did you mean '" + nearestWord(key, known) +
+                                "'?");
+}
+
+void Gr2ToOptions::loadFrom(const mrpt::config::CConfigFileBase& source)
+{
+    std::vector<std::string> sections;
+    source.getAllSections(sections);
+    for (const std::string& section : sections) {
+        std::vector<std::string> keys;
+        source.getAllKeys(section, keys);
+        for (const std::string& key : keys) set(section + "." + key, source.read_string(section, key, ""));
+    }
+    check();
+}
+
+void Gr2ToOptions::check()
+{
+    for (const OptionTable* table : tables()) table->check();
+}
+}  // namespace gr2to

@@ -1,0 +1,269 @@
+#include "gr2to/stages/SpaceDelimitation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "gr2to/base/errors.h"
+#include "gr2to/grid/Partition.h"
+#include "gr2to/topology/CorridorMerging.h"
+#include "gr2to/topology/Octagon.h"
+#include "gr2to/topology/WallFit.h"
+
+namespace gr2to
+{
+namespace
+{
+constexpr double kPi = 3.14159265358979323846;
+
+mrpt::math::CMatrixDouble33 inSpace(const Eigen::Matrix2d& plane)
+{
+    mrpt::math::CMatrixDouble33 m;
+    for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) m(i, j) = plane(i, j);
+    return m;
+}
+
+/** Circles that were merged to one place, and what the map says of it. */
+struct PlaceDraft
+{
+    std::vector<std::size_t> circles;  //!< the largest first
+    PlaceId id = 0;
+};
+
+/** Fills an augmented map from the topology that the fourth stage found. */
+class MapMaker
+{
+ public:
+    MapMaker(const ClassifiedGrid& grid, const VoronoiGraph& voronoi, const PlaceGraph& graph,
+             const TDelimitationOptions& options)
+        : m_grid(grid), m_voronoi(voronoi), m_graph(graph), m_options(options), m_closedGrid(grid)
+    {
+        for (const ValidatedDoor& door : graph.doors)
+            for (const Cell c : door.line) {
+                if (grid.isFree(c)) m_closedCells.push_back(c);
+                m_closedGrid.set(c, CellState::Occupied);
+            }
+    }
+
+    DelimitedSpace make()
+    {
+        draftPlaces();
+        partitionCells();
+        m_result.map.resolution_m = m_grid.resolution_m();
+        for (const PlaceDraft& draft : m_drafts) m_result.map.addPlace(describe(draft));
+        addConnections();
+        return std::move(m_result);
+    }
+
+ private:
+    void draftPlaces()
+    {
+        const std::vector<std::size_t> groupOf = mergeCorridors(
+            m_graph, m_options.corridor_radius_tolerance, m_options.corridor_angle_tolerance * kPi / 180);
+        std::vector<std::vector<std::size_t>> members(m_graph.circles.size());
+        for (std::size_t c = 0; c < groupOf.size(); ++c) members[groupOf[c]].push_back(c);
+        for (auto& circles : members) {
+            if (circles.empty()) continue;
+            std::stable_sort(circles.begin(), circles.end(), [&](std::size_t a, std::size_t b) {
+                return m_graph.circles[a].radius_cells > m_graph.circles[b].radius_cells;
+            });
+            m_drafts.push_back({circles, 0});
+        }
+        if (m_drafts.size() >= 0xFFFF)
+            throw OutputError(
+                "the map has " + std::to_string(m_drafts.size()) +
+                " places; at most 65534 can be numbered: raise place.min_radius or cut the map");
+        // Circles are in raster order, so sorting by the largest circle's index puts the places in raster
+        // order.
+        std::sort(m_drafts.begin(), m_drafts.end(), [](const PlaceDraft& a, const PlaceDraft& b) {
+            return a.circles.front() < b.circles.front();
+        });
+        m_idOfCircle.resize(m_graph.circles.size());
+        for (std::size_t k = 0; k < m_drafts.size(); ++k) {
+            m_drafts[k].id = static_cast<PlaceId>(k + 1);
+            for (const std::size_t c : m_drafts[k].circles) m_idOfCircle[c] = m_drafts[k].id;
+            if (m_drafts[k].circles.size() > 1) m_result.mergedCircles += m_drafts[k].circles.size();
+        }
+    }
+
+    void partitionCells()
+    {
+        std::vector<PlaceId> placeOfCell(m_voronoi.cells.size(), 0);
+        for (std::size_t k = 0; k < placeOfCell.size(); ++k)
+            if (const int circle = m_graph.circleOfCell[k]; circle >= 0)
+                placeOfCell[k] = m_idOfCircle[static_cast<std::size_t>(circle)];
+        m_result.places = partition(m_grid, m_voronoi, placeOfCell, m_closedCells);
+        m_cellsOfPlace.assign(m_drafts.size() + 1, 0);
+        for (const PlaceId id : m_result.places.ids) ++m_cellsOfPlace[id];
+    }
+
+    Place describe(const PlaceDraft& draft)
+    {
+        Place place;
+        place.id = draft.id;
+        place.kind = draft.circles.size() > 1 ? PlaceKind::Corridor : PlaceKind::Room;
+        const double cellArea = m_grid.resolution_m() * m_grid.resolution_m();
+        place.area_m2 = static_cast<double>(m_cellsOfPlace[draft.id]) * cellArea;
+        const Eigen::Vector2d center = m_grid.frame().toMap(m_graph.circles[draft.circles.front()].center);
+        place.center = {center.x(), center.y(), 0};
+        const std::vector<Eigen::Vector2d> outline = outlineOf(draft);
+        for (const auto& vertex : outline) {
+            const Eigen::Vector2d p = m_grid.frame().toMap(vertex.x(), vertex.y());
+            place.boundary.emplace_back(p.x(), p.y());
+        }
+        for (std::size_t k = 0; k < outline.size(); ++k)
+            if (const auto& next = outline[(k + 1) % outline.size()]; (next - outline[k]).norm() >= 0.5)
+                place.walls.push_back(wallBetween(outline[k], next));
+        return place;
+    }
+
+    std::vector<Eigen::Vector2d> outlineOf(const PlaceDraft& draft) const
+    {
+        std::vector<Eigen::Vector2d> vertices;
+        for (const std::size_t c : draft.circles) {
+            const Octagon octagon = growOctagon(m_closedGrid, m_graph.circles[c], neighboursOf(c));
+            vertices.insert(vertices.end(), octagon.begin(), octagon.end());
+        }
+        return draft.circles.size() > 1 ? convexHull(std::move(vertices)) : vertices;
+    }
+
+    std::vector<Circle> neighboursOf(std::size_t circle) const
+    {
+        std::vector<Circle> neighbours;
+        for (const PlaceLink& link : m_graph.links) {
+            if (link.from == circle) neighbours.push_back(m_graph.circles[link.to]);
+            if (link.to == circle) neighbours.push_back(m_graph.circles[link.from]);
+        }
+        return neighbours;
+    }
+
+    Wall wallBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
+    {
+        double covered = 0;
+        std::vector<Eigen::Vector2d> support = supportOf(from, to, &covered);
+        Wall wall;
+        wall.id = ++m_wallCount;
+        wall.real = covered > m_options.real_wall_ratio;
+        if (!wall.real || support.size() < 2)
+            support = {m_grid.frame().toMap(from.x(), from.y()), m_grid.frame().toMap(to.x(), to.y())};
+        const LineFit fit = fitLine(support, m_grid.resolution_m());
+        wall.position.mean = {fit.center.x(), fit.center.y(), 0};
+        wall.position.covariance = inSpace(fit.centerCovariance);
+        const Eigen::Vector2d along = m_grid.frame().directionToMap(to - from);
+        Eigen::Vector2d normal(fit.direction.y(), -fit.direction.x());
+        if (normal.dot(Eigen::Vector2d(along.y(), -along.x())) < 0)
+            normal = -normal;  // outwards: outlines turn left
+        wall.normal.mean = {normal.x(), normal.y(), 0};
+        wall.normal.covariance = inSpace(fit.normalCovariance);
+        wall.size.length_m = wall.real ? fit.length_m : along.norm() * m_grid.resolution_m();
+        wall.size.covariance(0, 0) = fit.lengthVariance;
+        return wall;
+    }
+
+    /** Map positions of the occupied cells within a cell of a segment, and the part of its length that they
+     * cover. */
+    std::vector<Eigen::Vector2d> supportOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                           double* covered) const
+    {
+        const int samples = std::max(1, static_cast<int>(std::ceil(2 * (to - from).norm())));  // two a cell
+        std::set<std::size_t> support;
+        int hits = 0;
+        for (int k = 0; k <= samples; ++k) {
+            const Eigen::Vector2d p = from + (to - from) * (static_cast<double>(k) / samples);
+            bool hit = false;
+            for (int dy = -1; dy <= 1; ++dy)
+                for (int dx = -1; dx <= 1; ++dx) {
+                    const Cell c{static_cast<int>(std::lround(p.x())) + dx,
+                                 static_cast<int>(std::lround(p.y())) + dy};
+                    if (!m_closedGrid.isOccupied(c)) continue;
+                    hit = true;
+                    support.insert(m_grid.index(c));
+                }
+            hits += hit ? 1 : 0;
+        }
+        *covered = static_cast<double>(hits) / (samples + 1);
+        std::vector<Eigen::Vector2d> points;
+        for (const std::size_t i : support) points.push_back(m_grid.frame().toMap(m_grid.cell(i)));
+        return points;
+    }
+
+    void addConnections()
+    {
+        for (const PlaceLink& link : m_graph.links) {
+            Connection connection;
+            connection.from = m_idOfCircle[link.from];
+            connection.to = m_idOfCircle[link.to];
+            if (connection.from == connection.to) continue;
+            connection.id = static_cast<std::uint32_t>(m_result.map.graph().edgeCount() + 1);
+            connection.doorway =
+                link.door >= 0 ? doorway(m_graph.doors[static_cast<std::size_t>(link.door)]) : opening(link);
+            m_result.map.addConnection(connection);
+        }
+    }
+
+    /** A door spans the gap between its jambs; each jamb is a cell whose position is known to the cell's
+     * size. */
+    Doorway doorway(const ValidatedDoor& door) const
+    {
+        const LineFit fit = fitLine({m_grid.frame().toMap(door.jambA), m_grid.frame().toMap(door.jambB)},
+                                    m_grid.resolution_m());
+        Doorway result;
+        result.position.mean = {fit.center.x(), fit.center.y(), 0};
+        result.position.covariance = inSpace(fit.centerCovariance);
+        result.size.length_m = fit.length_m - 2 * m_grid.resolution_m();  // from jamb face to jamb face
+        result.size.covariance(0, 0) = fit.lengthVariance;
+        result.real = true;
+        result.state = DoorState::Open;  // the grid shows free cells between the jambs
+        return result;
+    }
+
+    Doorway opening(const PlaceLink& link) const
+    {
+        const Eigen::Vector2d at = m_grid.frame().toMap(link.at);
+        const double variance = m_grid.resolution_m() * m_grid.resolution_m() / 12.0;
+        Doorway result;
+        result.position.mean = {at.x(), at.y(), 0};
+        result.position.covariance = inSpace(Eigen::Matrix2d::Identity() * variance);
+        result.size.length_m = (2 * link.clearance_cells - 1) * m_grid.resolution_m();
+        result.size.covariance(0, 0) = 2 * variance;
+        return result;
+    }
+
+    const ClassifiedGrid& m_grid;
+    const VoronoiGraph& m_voronoi;
+    const PlaceGraph& m_graph;
+    const TDelimitationOptions& m_options;
+    ClassifiedGrid m_closedGrid;
+    std::vector<Cell> m_closedCells;
+    std::vector<PlaceDraft> m_drafts;
+    std::vector<PlaceId> m_idOfCircle;
+    std::vector<std::size_t> m_cellsOfPlace;
+    std::uint32_t m_wallCount = 0;
+    DelimitedSpace m_result;
+};
+}  // namespace
+
+std::vector<OptionField> TDelimitationOptions::fields()
+{
+    return {{"real_wall_ratio", &real_wall_ratio, "ratio",
+             "A side of a place is a real wall when more than this part of it lies on occupied cells.", 0, 1},
+            {"corridor_radius_tolerance", &corridor_radius_tolerance, "ratio",
+             "Largest relative difference of circle radii that count as the same when corridors are merged.",
+             0, 1},
+            {"corridor_angle_tolerance", &corridor_angle_tolerance, "deg",
+             "Largest turn among three circles in a row that count as collinear when corridors are merged.",
+             0, 90}};
+}
+
+SpaceDelimiter::SpaceDelimiter(TDelimitationOptions options) : m_options(std::move(options))
+{
+    m_options.check();
+}
+
+DelimitedSpace SpaceDelimiter::delimit(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
+                                       const PlaceGraph& graph) const
+{
+    return MapMaker(grid, voronoi, graph, m_options).make();
+}
+}  // namespace gr2to

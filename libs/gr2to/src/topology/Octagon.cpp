@@ -1,0 +1,103 @@
+#include "gr2to/topology/Octagon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gr2to
+{
+namespace
+{
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kBeam = 2.0 * kPi / 8;  // aperture, fifth stage
+constexpr int kMaxRaysPerBeam = 16;      // 2.8 degrees apart: at 10 m half a metre
+
+struct Ray
+{
+    double length = 0;  //!< to the last free cell, or to the occupied one [cells]
+    bool hits = false;  //!< an occupied cell, not the unknown
+};
+
+/** Walks from the centre cell by cell until it leaves the free space. */
+Ray castRay(const ClassifiedGrid& grid, Cell from, const Eigen::Vector2d& direction)
+{
+    const double step = 1.0 / direction.cwiseAbs().maxCoeff();
+    double length = 0;
+    for (int k = 1;; ++k) {
+        const Cell c{from.x + static_cast<int>(std::lround(k * step * direction.x())),
+                     from.y + static_cast<int>(std::lround(k * step * direction.y()))};
+        if (!grid.contains(c) || grid.at(c) == CellState::Unknown) return {length, false};
+        length = k * step;
+        if (grid.at(c) == CellState::Occupied) return {length, true};
+    }
+}
+
+double limitOfEq10(const Circle& circle, const std::vector<Circle>& neighbours, double axis_rad)
+{
+    double closest = std::numeric_limits<double>::infinity(), limit = closest;
+    for (const Circle& other : neighbours) {
+        const double dx = other.center.x - circle.center.x, dy = other.center.y - circle.center.y;
+        const double distance = std::hypot(dx, dy);
+        const double off = std::remainder(std::atan2(dy, dx) - axis_rad, 2.0 * kPi);
+        if (std::abs(off) > kBeam / 2 || distance >= closest) continue;
+        closest = distance;
+        limit = circle.radius_cells / (circle.radius_cells + other.radius_cells) * distance;
+    }
+    return limit;
+}
+
+Eigen::Vector2d growVertex(const ClassifiedGrid& grid, const Circle& circle, double axis_rad, double limit)
+{
+    const int rays = std::clamp(static_cast<int>(std::ceil(circle.radius_cells * kBeam)), 4, kMaxRaysPerBeam);
+    Ray best;
+    Eigen::Vector2d bestDirection(std::cos(axis_rad), std::sin(axis_rad));
+    for (int k = 0; k <= rays; ++k) {
+        const double angle = axis_rad + kBeam * (static_cast<double>(k) / rays - 0.5);
+        const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
+        const Ray ray = castRay(grid, circle.center, direction);
+        if (ray.hits < best.hits || (ray.hits == best.hits && ray.length <= best.length)) continue;
+        best = ray;
+        bestDirection = direction;
+    }
+    const double reach = std::max(circle.radius_cells, best.length);
+    return Eigen::Vector2d(circle.center.x, circle.center.y) + std::min(reach, limit) * bestDirection;
+}
+}  // namespace
+
+Octagon growOctagon(const ClassifiedGrid& closedDoors, const Circle& circle,
+                    const std::vector<Circle>& neighbours)
+{
+    Octagon octagon;
+    for (int k = 0; k < 8; ++k) {
+        const double axis = kBeam * k;
+        octagon[static_cast<std::size_t>(k)] =
+            growVertex(closedDoors, circle, axis, limitOfEq10(circle, neighbours, axis));
+    }
+    return octagon;
+}
+
+std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points)
+{
+    const auto less = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+        return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+    };
+    std::sort(points.begin(), points.end(), less);
+    const auto turnsLeft = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+        return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x()) > 0;
+    };
+    std::vector<Eigen::Vector2d> hull;
+    const auto addChain = [&](const std::vector<Eigen::Vector2d>& chain) {
+        const std::size_t start = hull.size();
+        for (const auto& p : chain) {
+            while (hull.size() >= start + 2 && !turnsLeft(hull[hull.size() - 2], hull.back(), p))
+                hull.pop_back();
+            hull.push_back(p);
+        }
+        hull.pop_back();  // the last point starts the other chain
+    };
+    addChain(points);
+    std::reverse(points.begin(), points.end());
+    addChain(points);
+    return hull;
+}
+}  // namespace gr2to
