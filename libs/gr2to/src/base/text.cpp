@@ -1,8 +1,6 @@
 #include "gr2to/base/text.h"
 
 #include <charconv>
-#include <cstddef>
-#include <cstdint>
 
 namespace gr2to
 {
@@ -26,8 +24,7 @@ std::uint32_t takeCodePoint(std::string_view& bytes)
     }
     bytes.remove_prefix(followers);
     constexpr std::uint32_t SMALLEST[] = {0, 0x80, 0x800, 0x10000};
-    if (code < SMALLEST[followers] || code > 0x10FFFF || (code >= 0xD800 && code <= 0xDFFF)) return INVALID;
-    return code;
+    return code < SMALLEST[followers] ? INVALID : code;
 }
 }  // namespace
 
@@ -38,14 +35,21 @@ std::string numberText(double value)
     return {buffer, end};
 }
 
-bool isText(std::string_view bytes)
+bool isTextCharacter(std::uint32_t codePoint)
 {
-    while (!bytes.empty()) {
-        const std::uint32_t code = takeCodePoint(bytes);
-        if (code == INVALID || code == 0xFFFE || code == 0xFFFF) return false;
-        if (code < 0x20 && code != '\t' && code != '\n' && code != '\r') return false;
+    if (codePoint < 0x20) return codePoint == '\t' || codePoint == '\n' || codePoint == '\r';
+    const bool surrogate = codePoint >= 0xD800 && codePoint <= 0xDFFF;
+    return codePoint <= 0x10FFFF && !surrogate && codePoint != 0xFFFE && codePoint != 0xFFFF;
+}
+
+std::size_t textPrefix(std::string_view bytes)
+{
+    std::string_view rest = bytes;
+    while (!rest.empty()) {
+        const std::size_t start = bytes.size() - rest.size();
+        if (!isTextCharacter(takeCodePoint(rest))) return start;
     }
-    return true;
+    return bytes.size();
 }
 
 bool hasControlCharacter(std::string_view text)
@@ -57,7 +61,7 @@ bool hasControlCharacter(std::string_view text)
     return false;
 }
 
-std::string quoted(std::string_view text)
+std::string excerpt(std::string_view text)
 {
     constexpr std::size_t LONGEST = 40;
     std::size_t end = text.size();

@@ -77,10 +77,10 @@ void Findings::requireName(const std::string& where, const std::string& quantity
     if (text.empty())
         add(where, quantity + " is empty; it must have at least one character");
     else if (!isText(text))
-        add(where, quantity + " = " + quoted(text) + " must be UTF-8 text without control characters");
+        add(where, quantity + " = " + excerpt(text) + " must be UTF-8 text without control characters");
     else if (hasControlCharacter(text))
         add(where,
-            quantity + " = " + quoted(text) + " must have no tabs, line ends or other control characters");
+            quantity + " = " + excerpt(text) + " must have no tabs, line ends or other control characters");
 }
 
 void Findings::requireFreshId(const std::string& where, std::uint32_t id, std::set<std::uint32_t>& taken)
