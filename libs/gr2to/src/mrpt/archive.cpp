@@ -1,0 +1,79 @@
+#include "gr2to/mrpt/archive.h"
+
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/serialization/CArchive.h>
+
+#include "gr2to/base/errors.h"
+#include "gr2to/base/files.h"
+#include "gr2to/base/text.h"
+#include "gr2to/io/XmlMap.h"
+#include "gr2to/mrpt/CTopologicalMap.h"
+#include "gz.h"
+#include "serializeMap.h"
+
+namespace gr2to
+{
+namespace
+{
+constexpr std::size_t MOST_BYTES = std::size_t{1} << 30U;
+
+/** How MRPT frames an object: its class name's length with the highest bit set, that name, a version,
+ * content, a flag. */
+struct ObjectHeader
+{
+    std::string className;
+    std::uint8_t version = 0;
+    std::size_t size = 0;
+};
+constexpr unsigned char END_FLAG = 0x88;
+
+/** MRPT's own reader reports every failure inside an object as an early end of file; this one says what it
+ * is. */
+ObjectHeader readHeader(std::string_view bytes, const std::string& name)
+{
+    constexpr unsigned char MARK = 0x80;
+    const auto first = bytes.empty() ? 0U : static_cast<unsigned char>(bytes.front());
+    const std::size_t length = first & 0x7FU;
+    if ((first & MARK) == 0 || bytes.size() < length + 2)
+        throw InputError(name + ": is gz data, but not an MRPT archive");
+    return {std::string(bytes.substr(1, length)), static_cast<std::uint8_t>(bytes[length + 1]), length + 2};
+}
+}  // namespace
+
+std::string toArchive(const TopologicalMap& map)
+{
+    mrpt::io::CMemoryStream stream;
+    mrpt::serialization::archiveFrom(stream) << CTopologicalMap(map);
+    return compressGz({static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()});
+}
+
+TopologicalMap fromArchive(std::string_view bytes, const std::string& name)
+{
+    const std::string content = decompressGz(bytes, name, MOST_BYTES);
+    const ObjectHeader header = readHeader(content, name);
+    const std::string wanted = CLASS_ID(CTopologicalMap)->className;
+    if (header.className != wanted)
+        throw InputError(name + ": holds an object of class " + excerpt(header.className) + ", not " +
+                         wanted);
+    mrpt::io::CMemoryStream stream;
+    stream.assignMemoryNotOwn(content.data() + header.size, content.size() - header.size);
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    TopologicalMap map = readMap(archive, header.version, name);
+    const std::size_t end = header.size + static_cast<std::size_t>(stream.getPosition());
+    if (end + 1 != content.size() || static_cast<unsigned char>(content[end]) != END_FLAG)
+        throw InputError(name +
+                         ": the archive is truncated or corrupt: the map does not end where the data do");
+    return map;
+}
+
+TopologicalMap loadTopologicalMap(const std::filesystem::path& path)
+{
+    const std::string bytes = readFile(path);
+    if (isGz(bytes)) return fromArchive(bytes, path.string());
+    const std::string_view text = std::string_view(bytes).substr(bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0);
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    if (start != std::string_view::npos && text[start] == '<') return fromXml(bytes, path.string());
+    throw InputError("'" + path.string() +
+                     "' is neither XML nor a gz-compressed MRPT archive; name a topomap.xml or .gr2to file");
+}
+}  // namespace gr2to
