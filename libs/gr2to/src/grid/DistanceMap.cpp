@@ -7,6 +7,7 @@ namespace gr2to
 namespace
 {
 constexpr std::uint16_t kNoObstacle = 0xFFFF;
+constexpr std::int32_t kBeyond = INT32_MAX;  // column of the mark behind the last parabola
 
 /** Obstacle of a row's envelope: its column and the square of its vertical distance to the row. */
 struct Parabola
@@ -65,72 +66,123 @@ bool hidden(const Parabola& a, const Parabola& b, const Parabola& c)
     return ac * b.height - bc * a.height - ab * c.height > ab * bc * ac;
 }
 
-/** Lower envelope of a row's parabolas, from left to right. */
-void buildEnvelope(const std::uint16_t* columnDistance, int width, std::vector<Parabola>& envelope)
+/** Lower envelope of the parabolas of columns [first, last), from left to right. */
+void buildEnvelope(const std::uint16_t* columnDistance, int first, int last, std::vector<Parabola>& envelope)
 {
-    envelope.clear();
-    for (int x = 0; x < width; ++x) {
+    Parabola* const base = envelope.data();
+    Parabola* end = base;
+    for (int x = first; x < last; ++x) {
         const std::uint16_t d = columnDistance[x];
         if (d == kNoObstacle) continue;
         const Parabola parabola{x, std::int32_t{d} * d};
-        while (envelope.size() >= 2 && hidden(envelope[envelope.size() - 2], envelope.back(), parabola))
-            envelope.pop_back();
-        envelope.push_back(parabola);
+        while (end - base >= 2 && hidden(end[-2], end[-1], parabola)) --end;
+        *end++ = parabola;
     }
+    *end = Parabola{kBeyond, 0};
 }
 
-/** Row of the obstacle that is `distance` cells above or below row y in column x; the lower one when both
- * are. */
-int obstacleRow(const ClassifiedGrid& grid, Obstacles obstacles, int x, int y, int distance)
+/** Measures one row after another. */
+class RowSweep
 {
-    const auto isObstacle = [&](int row) {
-        if (row < 0) return false;
-        const CellState state = grid.at({x, row});
-        return obstacles == Obstacles::Occupied ? state == CellState::Occupied : state != CellState::Free;
-    };
-    return isObstacle(y - distance) ? y - distance : y + distance;
-}
+ public:
+    RowSweep(const ClassifiedGrid& grid, Obstacles obstacles, const ColumnDistances& columns,
+             DistanceMap& map, NearestObstacles* nearest)
+        : m_grid(grid),
+          m_obstacles(obstacles),
+          m_columns(columns),
+          m_map(map),
+          m_nearest(nearest),
+          m_envelope(static_cast<std::size_t>(grid.width()) + 1)
+    {
+    }
+
+    /** Stretches between obstacles of the row are independent: nothing beyond an obstacle in the row is
+     * nearer than it. */
+    void sweep(int y)
+    {
+        const std::uint16_t* columnDistance = m_columns.row(static_cast<std::size_t>(y));
+        const int width = m_grid.width();
+        for (int first = 0; first < width;) {
+            if (columnDistance[first] == 0) {
+                ++first;
+                continue;
+            }
+            int last = first;
+            while (last < width && columnDistance[last] != 0) ++last;
+            const CellState* cells = m_grid.row(y);
+            if (std::find(cells + first, cells + last, CellState::Free) != cells + last) {
+                buildEnvelope(columnDistance, std::max(0, first - 1), std::min(width, last + 1), m_envelope);
+                measure(y, first, last);
+            }
+            first = last;
+        }
+    }
+
+ private:
+    static std::int32_t squaredDistance(const Parabola& p, int x)
+    {
+        const std::int32_t dx = x - p.column;
+        return dx * dx + p.height;
+    }
+
+    void measure(int y, int first, int last)
+    {
+        const CellState* cells = m_grid.row(y);
+        const std::size_t row = m_grid.index({0, y});
+        std::int32_t* squared = m_map.squared.data() + row;
+        const Parabola* nearest = m_envelope.data();
+        if (nearest->column == kBeyond) {
+            for (int x = first; x < last; ++x)
+                if (cells[x] == CellState::Free) squared[x] = DistanceMap::unreachable();
+            return;
+        }
+        int obstacleRow = rowOf(*nearest, y);
+        for (int x = first; x < last; ++x) {
+            if (cells[x] != CellState::Free) continue;
+            const Parabola* before = nearest;
+            std::int32_t best = squaredDistance(*nearest, x);
+            while (nearest[1].column != kBeyond) {
+                const std::int32_t candidate = squaredDistance(nearest[1], x);
+                if (candidate >= best) break;
+                best = candidate;
+                ++nearest;
+            }
+            squared[x] = best;
+            if (!m_nearest) continue;
+            if (nearest != before) obstacleRow = rowOf(*nearest, y);
+            m_nearest->packed[row + static_cast<std::size_t>(x)] =
+                NearestObstacles::pack(nearest->column, obstacleRow);
+        }
+    }
+
+    /** Row of the obstacle in a parabola's column; the lower one when two are equally near. */
+    int rowOf(const Parabola& p, int y) const
+    {
+        const int below = y - m_columns.row(static_cast<std::size_t>(y))[p.column];
+        if (below >= 0) {
+            const CellState state = m_grid.at({p.column, below});
+            if (m_obstacles == Obstacles::Occupied ? state == CellState::Occupied : state != CellState::Free)
+                return below;
+        }
+        return y + m_columns.row(static_cast<std::size_t>(y))[p.column];
+    }
+
+    const ClassifiedGrid& m_grid;
+    Obstacles m_obstacles;
+    const ColumnDistances& m_columns;
+    DistanceMap& m_map;
+    NearestObstacles* m_nearest;
+    std::vector<Parabola> m_envelope;  //!< ends with a mark at kBeyond
+};
 }  // namespace
 
 DistanceMap measureDistances(const ClassifiedGrid& grid, Obstacles obstacles, NearestObstacles* nearest)
 {
-    const int width = grid.width(), height = grid.height();
-    DistanceMap map{width, height, std::vector<std::int32_t>(grid.size(), 0)};
+    DistanceMap map{grid.width(), grid.height(), std::vector<std::int32_t>(grid.size(), 0)};
     if (nearest) nearest->packed.assign(grid.size(), 0);
     const ColumnDistances columns(grid, obstacles);
-    std::vector<Parabola> envelope;
-    envelope.reserve(static_cast<std::size_t>(width));
-    for (int y = 0; y < height; ++y) {
-        const CellState* cells = grid.row(y);
-        if (std::find(cells, cells + width, CellState::Free) == cells + width) continue;
-        const std::uint16_t* columnDistance = columns.row(static_cast<std::size_t>(y));
-        buildEnvelope(columnDistance, width, envelope);
-        std::int32_t* squared = map.squared.data() + grid.index({0, y});
-        std::size_t k = 0;
-        for (int x = 0; x < width; ++x) {
-            if (cells[x] != CellState::Free) continue;
-            if (envelope.empty()) {
-                squared[x] = DistanceMap::unreachable();
-                continue;
-            }
-            const auto at = [&](std::size_t i) {
-                const std::int32_t dx = x - envelope[i].column;
-                return dx * dx + envelope[i].height;
-            };
-            std::int32_t best = at(k);
-            while (k + 1 < envelope.size()) {
-                const std::int32_t candidate = at(k + 1);
-                if (candidate >= best) break;
-                best = candidate;
-                ++k;
-            }
-            squared[x] = best;
-            if (!nearest) continue;
-            const int column = envelope[k].column;
-            const int row = obstacleRow(grid, obstacles, column, y, columnDistance[column]);
-            nearest->packed[grid.index({x, y})] = NearestObstacles::pack(column, row);
-        }
-    }
+    RowSweep rows(grid, obstacles, columns, map, nearest);
+    for (int y = 0; y < grid.height(); ++y) rows.sweep(y);
     return map;
 }
 }  // namespace gr2to

@@ -6,12 +6,18 @@ namespace gr2to
 {
 namespace
 {
-constexpr std::uint8_t kFigure = 1;
-constexpr std::uint8_t kAnchor = 2;
-constexpr std::uint8_t kQueued = 4;
+constexpr std::uint16_t kFigure = 1;
+constexpr std::uint16_t kAnchor = 2;
+constexpr std::uint16_t kQueued = 4;
+constexpr std::uint16_t kStateBits = kFigure | kAnchor | kQueued;
+constexpr int kBucketShift = 3;
+constexpr int kMaxBucket = 0xFFFF >> kBucketShift;
 
-/** Buckets per cell of clearance: removal in the order of clearance to a quarter of a cell. */
-constexpr float kBucketsPerCell = 4.0F;
+/** Clearances that differ by less are removed first come, first served: in waves, which keeps them in order
+ * too. */
+constexpr float kBucketCells = 4.0F;
+/** Side of a tile [cells]: two bytes a cell, three rows of neighbours and the queue fit a 256 kB cache. */
+constexpr int kTileSide = 256;
 
 /** Runs around the ring of neighbours; a 4-connected run counts when it holds a cell that shares a side. */
 int figureRuns(std::uint8_t ring)
@@ -69,36 +75,46 @@ const std::array<bool, 256>& simpleTable()
     return table;
 }
 
-/** The thinning in progress: cells wait in buckets of equal clearance. */
+/** The thinning in progress.
+ *
+ * Cells wait in buckets of similar clearance, one set of buckets for each square tile of the grid. All tiles
+ * finish a bucket before the next begins, but one tile after the other, so that a tile's cells stay in the
+ * processor's cache.
+ */
 class Thinner
 {
  public:
     Thinner(const ClassifiedGrid& grid, const DistanceMap& distances)
-        : m_distances(distances),
-          m_mask(grid.width(), grid.height()),
-          m_steps(m_mask.neighbourSteps()),
-          m_simple(simpleTable())
+        : m_cells(grid.width(), grid.height()),
+          m_steps(m_cells.neighbourSteps()),
+          m_simple(simpleTable()),
+          m_tileColumns((grid.width() + 2) / kTileSide + 1)
     {
         for (int y = 0; y < grid.height(); ++y) {
             const CellState* cells = grid.row(y);
-            std::uint8_t* out = &m_mask[m_mask.index({0, y})];
+            const std::int32_t* squared = distances.squared.data() + grid.index({0, y});
+            std::uint16_t* out = &m_cells[m_cells.index({0, y})];
             for (int x = 0; x < grid.width(); ++x)
-                out[x] = cells[x] == CellState::Free ? kFigure : std::uint8_t{0};
+                out[x] = cells[x] == CellState::Free
+                             ? static_cast<std::uint16_t>(bucketOf(squared[x]) | kFigure)
+                             : std::uint16_t{0};
         }
+        m_queues.resize(static_cast<std::size_t>(m_tileColumns) *
+                        ((static_cast<std::size_t>(grid.height()) + 2) / kTileSide + 1));
     }
 
     void protect(const std::vector<Cell>& anchors)
     {
-        for (const Cell c : anchors) m_mask[m_mask.index(c)] |= kAnchor;
+        for (const Cell c : anchors) m_cells[m_cells.index(c)] |= kAnchor;
     }
 
     /** Removes all that is no anchor and not needed for the topology. */
     void thinAroundAnchors()
     {
-        for (int y = 0; y < m_mask.height(); ++y) {
-            const std::size_t row = m_mask.index({0, y});
-            for (std::size_t i = row; i < row + static_cast<std::size_t>(m_mask.width()); ++i)
-                if (m_mask[i] == kFigure && ring(i) != 0xFF) enqueue(i);
+        for (int y = 0; y < m_cells.height(); ++y) {
+            const std::size_t row = m_cells.index({0, y});
+            for (std::size_t i = row; i < row + static_cast<std::size_t>(m_cells.width()); ++i)
+                if ((m_cells[i] & kStateBits) == kFigure && ring(i) != 0xFF) enqueue(i);
         }
         drain([](std::uint8_t) { return false; });
     }
@@ -106,70 +122,130 @@ class Thinner
     /** Thins the anchors too, but keeps the ends of curves. */
     void thinAnchors(const std::vector<Cell>& anchors)
     {
-        for (const Cell c : anchors) m_mask[m_mask.index(c)] = kFigure;
-        for (const Cell c : anchors) enqueue(m_mask.index(c));
-        drain([](std::uint8_t ring) { return __builtin_popcount(ring & 0x55U) == 1 && isEnd(ring); });
+        for (const Cell c : anchors) {
+            std::uint16_t& cell = m_cells[m_cells.index(c)];
+            cell = static_cast<std::uint16_t>(cell & ~kAnchor);
+        }
+        for (const Cell c : anchors)
+            if ((m_cells[m_cells.index(c)] & kStateBits) == kFigure) enqueue(m_cells.index(c));
+        drain(isEnd);
     }
 
-    Mask take() { return std::move(m_mask); }
+    Mask result() const
+    {
+        Mask mask(m_cells.width(), m_cells.height());
+        for (int y = 0; y < mask.height(); ++y) {
+            const std::size_t row = m_cells.index({0, y});
+            for (std::size_t i = row; i < row + static_cast<std::size_t>(mask.width()); ++i)
+                mask[i] = static_cast<std::uint8_t>(m_cells[i] & kFigure);
+        }
+        return mask;
+    }
 
  private:
-    /** One side neighbour, and no other cell of the figure but the two corners beside it. */
+    struct Tile
+    {
+        std::vector<std::vector<std::uint32_t>> buckets;
+        std::vector<std::uint32_t> working;  //!< cells of the current bucket
+    };
+
+    static std::uint16_t bucketOf(std::int32_t squaredClearance)
+    {
+        const float bucket = std::sqrt(static_cast<float>(squaredClearance)) / kBucketCells;
+        return static_cast<std::uint16_t>(std::min(static_cast<int>(bucket), kMaxBucket) << kBucketShift);
+    }
+
+    /** One side neighbour, and no other cell of the figure but one of the corners beside it. */
     static bool isEnd(std::uint8_t ring)
     {
-        for (int side = 0; side < 8; side += 2) {
-            const unsigned allowed = 1U << side | 1U << (side + 1) % 8 | 1U << (side + 7) % 8;
-            if ((ring >> side) & 1) return (ring & ~allowed) == 0 && __builtin_popcount(ring) <= 2;
-        }
-        return false;
+        if (__builtin_popcount(ring & 0x55U) != 1 || __builtin_popcount(ring) > 2) return false;
+        const int side = __builtin_ctz(ring & 0x55U);
+        return (ring & ~(1U << side | 1U << (side + 1) % 8 | 1U << (side + 7) % 8)) == 0;
     }
 
     std::uint8_t ring(std::size_t i) const
     {
+        const std::uint16_t* at = &m_cells[i];
         unsigned bits = 0;
-        for (unsigned k = 0; k < 8; ++k)
-            bits |= (m_mask[static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + m_steps[k])] & kFigure)
-                    << k;
+        for (unsigned k = 0; k < 8; ++k) bits |= (at[m_steps[k]] & kFigure) << k;
         return static_cast<std::uint8_t>(bits);
     }
 
     void enqueue(std::size_t i)
     {
-        const Cell c = m_mask.cell(i);
-        const std::int32_t squared = m_distances.squared[m_distances.index(c)];
-        const auto key = static_cast<std::size_t>(std::sqrt(static_cast<float>(squared)) * kBucketsPerCell);
-        const std::size_t bucket = std::max(key, m_current);
-        if (bucket >= m_buckets.size()) m_buckets.resize(bucket + 1);
-        m_buckets[bucket].push_back(static_cast<std::uint32_t>(i));
-        m_mask[i] |= kQueued;
+        m_cells[i] |= kQueued;
+        Tile& tile = m_queues[tileOf(i)];
+        const std::size_t bucket = m_cells[i] >> kBucketShift;
+        if (bucket <= m_current) {
+            if (tile.working.empty())
+                m_waiting.push_back(static_cast<std::uint32_t>(&tile - m_queues.data()));
+            tile.working.push_back(static_cast<std::uint32_t>(i));
+            return;
+        }
+        if (bucket >= tile.buckets.size()) tile.buckets.resize(bucket + 1);
+        tile.buckets[bucket].push_back(static_cast<std::uint32_t>(i));
+        m_highest = std::max(m_highest, bucket);
+    }
+
+    std::size_t tileOf(std::size_t i) const
+    {
+        const auto index = static_cast<std::uint32_t>(i);
+        const auto stride = static_cast<std::uint32_t>(m_cells.stride());
+        const std::uint32_t row = index / stride, column = index - row * stride;
+        return row / kTileSide * static_cast<std::uint32_t>(m_tileColumns) + column / kTileSide;
     }
 
     template <class Keep>
     void drain(const Keep& keep)
     {
-        for (m_current = 0; m_current < m_buckets.size(); ++m_current) {
-            for (std::size_t k = 0; k < m_buckets[m_current].size(); ++k) {
-                const std::size_t i = m_buckets[m_current][k];
-                m_mask[i] = static_cast<std::uint8_t>(m_mask[i] & ~kQueued);
-                const std::uint8_t around = ring(i);
-                if (!m_simple[around] || keep(around)) continue;
-                m_mask[i] = 0;
-                for (const std::ptrdiff_t step : m_steps) {
-                    const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + step);
-                    if (m_mask[j] == kFigure) enqueue(j);
-                }
+        for (m_current = 0; m_current <= m_highest; ++m_current) {
+            for (std::size_t t = 0; t < m_queues.size(); ++t) takeBucket(t);
+            while (!m_waiting.empty()) {
+                std::vector<std::uint32_t> tiles;
+                tiles.swap(m_waiting);
+                for (const std::uint32_t t : tiles) drainTile(t, keep);
             }
-            std::vector<std::uint32_t>().swap(m_buckets[m_current]);
         }
         m_current = 0;
+        m_highest = 0;
     }
 
-    const DistanceMap& m_distances;
-    Mask m_mask;
+    void takeBucket(std::size_t t)
+    {
+        Tile& tile = m_queues[t];
+        if (m_current >= tile.buckets.size() || tile.buckets[m_current].empty()) return;
+        if (tile.working.empty()) m_waiting.push_back(static_cast<std::uint32_t>(t));
+        auto& bucket = tile.buckets[m_current];
+        tile.working.insert(tile.working.end(), bucket.begin(), bucket.end());
+        std::vector<std::uint32_t>().swap(bucket);
+    }
+
+    template <class Keep>
+    void drainTile(std::size_t t, const Keep& keep)
+    {
+        Tile& tile = m_queues[t];
+        for (std::size_t k = 0; k < tile.working.size(); ++k) {
+            const std::size_t i = tile.working[k];
+            m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kQueued);
+            const std::uint8_t around = ring(i);
+            if (!m_simple[around] || keep(around)) continue;
+            m_cells[i] = 0;
+            for (const std::ptrdiff_t step : m_steps) {
+                const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + step);
+                if ((m_cells[j] & kStateBits) == kFigure) enqueue(j);
+            }
+        }
+        tile.working.clear();
+    }
+
+    Padded<std::uint16_t> m_cells;  //!< figure, anchor and queued bits, and the bucket above them
     std::array<std::ptrdiff_t, 8> m_steps;
     const std::array<bool, 256>& m_simple;
-    std::vector<std::vector<std::uint32_t>> m_buckets;
+    int m_tileColumns;
+    std::vector<Tile> m_queues;
+    std::vector<std::uint32_t> m_waiting;  //!< tiles with cells of the current bucket
     std::size_t m_current = 0;
+    std::size_t m_highest = 0;
 };
 }  // namespace
 
@@ -217,6 +293,6 @@ Mask thin(const ClassifiedGrid& grid, const DistanceMap& distances, const std::v
     thinner.protect(anchors);
     thinner.thinAroundAnchors();
     thinner.thinAnchors(anchors);
-    return thinner.take();
+    return thinner.result();
 }
 }  // namespace gr2to

@@ -38,6 +38,71 @@ std::array<bool, 1 << kSamples> makeOppositeTable()
     return table;
 }
 
+/** The cells that satisfy eq. (8). */
+class LikelyCells
+{
+ public:
+    LikelyCells(const DistanceMap& distances, double minClearance, double maxClearance)
+        : m_distances(distances),
+          m_offsets(sampleOffsets(minClearance)),
+          m_reach(std::max(m_offsets[0].x, m_offsets[1].x)),
+          m_hasOpposite(makeOppositeTable()),
+          m_minSquared(static_cast<std::int32_t>(std::floor(minClearance * minClearance))),
+          m_maxSquared(
+              static_cast<std::int32_t>(std::min<double>(std::ceil(maxClearance * maxClearance), INT32_MAX)))
+    {
+        for (std::size_t i = 0; i < kSamples; ++i)
+            m_steps[i] = static_cast<std::ptrdiff_t>(m_offsets[i].y) * distances.width + m_offsets[i].x;
+    }
+
+    std::vector<Cell> find() const
+    {
+        std::vector<Cell> likely;
+        for (int y = 0; y < m_distances.height; ++y) {
+            const std::int32_t* row = m_distances.squared.data() + m_distances.index({0, y});
+            const bool innerRow = y >= m_reach && y + m_reach < m_distances.height;
+            for (int x = 0; x < m_distances.width; ++x) {
+                if (row[x] <= m_minSquared || row[x] >= m_maxSquared) continue;
+                const bool inner = innerRow && x >= m_reach && x + m_reach < m_distances.width;
+                if (m_hasOpposite[inner ? fartherAround(row + x) : fartherWithin({x, y})])
+                    likely.push_back({x, y});
+            }
+        }
+        return likely;
+    }
+
+ private:
+    /** Which samples are farther from obstacles than the cell, a bit each; none may lie beyond the border. */
+    unsigned fartherAround(const std::int32_t* here) const
+    {
+        unsigned farther = 0;
+        for (unsigned i = 0; i < kSamples; ++i) farther |= (here[m_steps[i]] > *here ? 1U : 0U) << i;
+        return farther;
+    }
+
+    /** The same near the border: samples beyond it are not farther. */
+    unsigned fartherWithin(Cell c) const
+    {
+        const std::int32_t here = m_distances.squared[m_distances.index(c)];
+        unsigned farther = 0;
+        for (unsigned i = 0; i < kSamples; ++i) {
+            const Cell sample{c.x + m_offsets[i].x, c.y + m_offsets[i].y};
+            const bool inside = sample.x >= 0 && sample.y >= 0 && sample.x < m_distances.width &&
+                                sample.y < m_distances.height;
+            if (inside && m_distances.squared[m_distances.index(sample)] > here) farther |= 1U << i;
+        }
+        return farther;
+    }
+
+    const DistanceMap& m_distances;
+    std::array<Cell, kSamples> m_offsets;
+    int m_reach;
+    std::array<bool, 1 << kSamples> m_hasOpposite;
+    std::array<std::ptrdiff_t, kSamples> m_steps{};
+    std::int32_t m_minSquared;  //!< cells with at most this are too narrow
+    std::int32_t m_maxSquared;  //!< cells with at least this are too wide
+};
+
 /** Groups points whose chains of steps are closer than a radius, through square buckets. */
 class Linker
 {
@@ -163,24 +228,9 @@ DoorDetector::DoorDetector(TDoorOptions options) : m_options(std::move(options))
 std::vector<DoorCandidate> DoorDetector::detect(const ClassifiedGrid& grid,
                                                 const DistanceMap& distances) const
 {
-    static const auto hasOpposite = makeOppositeTable();
     const double minClearance = m_options.min_width / (2 * grid.resolution_m());
     const double maxClearance = m_options.max_width / (2 * grid.resolution_m());
-    const auto offsets = sampleOffsets(minClearance);
-    std::vector<Cell> likely;
-    for (int y = 0; y < grid.height(); ++y) {
-        const std::int32_t* row = distances.squared.data() + grid.index({0, y});
-        for (int x = 0; x < grid.width(); ++x) {
-            const std::int32_t here = row[x];
-            if (here <= minClearance * minClearance || here >= maxClearance * maxClearance) continue;
-            unsigned farther = 0;
-            for (unsigned i = 0; i < kSamples; ++i) {
-                const Cell sample{x + offsets[i].x, y + offsets[i].y};
-                if (grid.contains(sample) && distances.squared[grid.index(sample)] > here) farther |= 1U << i;
-            }
-            if (hasOpposite[farther]) likely.push_back({x, y});
-        }
-    }
+    const std::vector<Cell> likely = LikelyCells(distances, minClearance, maxClearance).find();
     std::vector<DoorCandidate> candidates;
     for (const auto& group : Linker(likely, minClearance).groups())
         candidates.push_back(makeCandidate(likely, group));

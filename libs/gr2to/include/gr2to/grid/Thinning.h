@@ -1,52 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/Padded.h"
 
 namespace gr2to
 {
-/** A binary image with a border of one empty cell, so that every cell has eight neighbours. */
-class Mask
-{
- public:
-    Mask(int width, int height)
-        : m_width(width),
-          m_height(height),
-          m_stride(static_cast<std::size_t>(width) + 2),
-          m_bits(m_stride * (static_cast<std::size_t>(height) + 2), 0)
-    {
-    }
-    int width() const { return m_width; }
-    int height() const { return m_height; }
-    std::size_t stride() const { return m_stride; }
-    std::size_t index(Cell c) const
-    {
-        return (static_cast<std::size_t>(c.y) + 1) * m_stride + static_cast<std::size_t>(c.x) + 1;
-    }
-    Cell cell(std::size_t index) const
-    {
-        return {static_cast<int>(index % m_stride) - 1, static_cast<int>(index / m_stride) - 1};
-    }
-    std::uint8_t operator[](std::size_t i) const { return m_bits[i]; }
-    std::uint8_t& operator[](std::size_t i) { return m_bits[i]; }
-    /** Index steps to the eight neighbours, counter-clockwise from the right; even ones share a side. */
-    std::array<std::ptrdiff_t, 8> neighbourSteps() const
-    {
-        const auto s = static_cast<std::ptrdiff_t>(m_stride);
-        return {1, s + 1, s, s - 1, -1, -s - 1, -s, -s + 1};
-    }
-
- private:
-    int m_width;
-    int m_height;
-    std::size_t m_stride;
-    std::vector<std::uint8_t> m_bits;
-};
-
 /** Whether removing a cell keeps the topology, for 4-connected figure and 8-connected ground.
  *
  * \param neighbours  bit i is set when neighbour i (counter-clockwise from the right) belongs to the figure

@@ -4,12 +4,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/grid/Padded.h"
 
 namespace gr2to
 {
-class Mask;
-
 /** An end or a junction of the Voronoi diagram, or one cell of a cycle that has neither. */
 struct VoronoiNode
 {
