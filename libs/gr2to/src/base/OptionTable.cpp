@@ -35,11 +35,19 @@ bool parseSwitch(const std::string& text, bool& value)
     return false;
 }
 
+bool parseNumberOrAuto(const std::string& text, std::optional<double>& value)
+{
+    if (text == "auto") return value.reset(), true;
+    return parseNumber(text, value.emplace());
+}
+
 bool parse(const std::string& text, const OptionField::Value& target)
 {
     if (auto* const* number = std::get_if<double*>(&target)) return parseNumber(text, **number);
     if (auto* const* integer = std::get_if<int*>(&target)) return parseNumber(text, **integer);
     if (auto* const* toggle = std::get_if<bool*>(&target)) return parseSwitch(text, **toggle);
+    if (auto* const* maybe = std::get_if<std::optional<double>*>(&target))
+        return parseNumberOrAuto(text, **maybe);
     *std::get<std::string*>(target) = text;
     return true;
 }
@@ -52,11 +60,10 @@ std::string withUnit(const std::string& text, const std::string& unit)
 void checkField(const std::string& section, const OptionField& field)
 {
     const auto complain = [&](const std::string& rule) {
-        throw std::invalid_argument(section + "." + field.name + " = " + withUnit(field.valueText(), field.unit) +
-                                    " " + rule);
+        throw std::invalid_argument(section + "." + field.name + " = " +
+                                    withUnit(field.valueText(), field.unit) + " " + rule);
     };
-    if (const auto* const* name = std::get_if<std::string*>(&field.value))
-    {
+    if (const auto* const* name = std::get_if<std::string*>(&field.value)) {
         if (field.choices.empty()) return;
         if (std::find(field.choices.begin(), field.choices.end(), **name) == field.choices.end())
             complain("must be one of " + field.typeText());
@@ -65,6 +72,10 @@ void checkField(const std::string& section, const OptionField& field)
     double value = 0;
     if (const auto* const* number = std::get_if<double*>(&field.value)) value = **number;
     if (const auto* const* integer = std::get_if<int*>(&field.value)) value = **integer;
+    if (const auto* const* maybe = std::get_if<std::optional<double>*>(&field.value)) {
+        if (!**maybe) return;
+        value = ***maybe;
+    }
     if (!std::isfinite(value) || value < field.minimum || value > field.maximum)
         complain("must be within " + field.rangeText());
 }
@@ -75,12 +86,15 @@ std::string OptionField::valueText() const
     if (const auto* const* number = std::get_if<double*>(&value)) return numberText(**number);
     if (const auto* const* integer = std::get_if<int*>(&value)) return std::to_string(**integer);
     if (const auto* const* toggle = std::get_if<bool*>(&value)) return **toggle ? "yes" : "no";
+    if (const auto* const* maybe = std::get_if<std::optional<double>*>(&value))
+        return **maybe ? numberText(***maybe) : "auto";
     return *std::get<std::string*>(value);
 }
 
 std::string OptionField::typeText() const
 {
     if (std::holds_alternative<double*>(value)) return "number";
+    if (std::holds_alternative<std::optional<double>*>(value)) return "number|auto";
     if (std::holds_alternative<int*>(value)) return "integer";
     if (std::holds_alternative<bool*>(value)) return "yes|no";
     if (choices.empty()) return "text";
@@ -90,7 +104,7 @@ std::string OptionField::typeText() const
 
 std::string OptionField::rangeText() const
 {
-    if (!std::holds_alternative<double*>(value) && !std::holds_alternative<int*>(value)) return "";
+    if (std::holds_alternative<bool*>(value) || std::holds_alternative<std::string*>(value)) return "";
     if (std::isinf(minimum) && std::isinf(maximum)) return "";
     return (std::isinf(minimum) ? "(-inf" : "[" + numberText(minimum)) + ", " +
            (std::isinf(maximum) ? "inf)" : numberText(maximum) + "]");
@@ -99,8 +113,7 @@ std::string OptionField::rangeText() const
 void OptionTable::set(const std::string& name, const std::string& text)
 {
     std::vector<std::string> known;
-    for (const auto& field : fields())
-    {
+    for (const auto& field : fields()) {
         known.push_back(section() + "." + field.name);
         if (field.name != name) continue;
         if (!parse(text, field.value))
@@ -144,12 +157,10 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     const auto editDistance = [&](const std::string& other) {
         std::vector<std::size_t> row(other.size() + 1);
         std::iota(row.begin(), row.end(), std::size_t{0});
-        for (std::size_t i = 1; i <= word.size(); ++i)
-        {
+        for (std::size_t i = 1; i <= word.size(); ++i) {
             std::size_t diagonal = row[0];
             row[0] = i;
-            for (std::size_t j = 1; j <= other.size(); ++j)
-            {
+            for (std::size_t j = 1; j <= other.size(); ++j) {
                 const std::size_t substituted = diagonal + (word[i - 1] == other[j - 1] ? 0U : 1U);
                 diagonal = row[j];
                 row[j] = std::min({substituted, row[j] + 1, row[j - 1] + 1});
@@ -160,8 +171,7 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
     std::string best;
     std::size_t bestDistance = std::numeric_limits<std::size_t>::max();
     for (const auto& candidate : candidates)
-        if (const auto distance = editDistance(candidate); distance < bestDistance)
-        {
+        if (const auto distance = editDistance(candidate); distance < bestDistance) {
             bestDistance = distance;
             best = candidate;
         }

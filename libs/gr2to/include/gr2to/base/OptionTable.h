@@ -4,16 +4,19 @@
 
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 namespace gr2to
 {
-/** One row of an option table: everything that loading, dumping, checking, `--help` and the docs need to know. */
+/** One row of an option table: everything that loading, dumping, checking, `--help` and the docs need to
+ * know. */
 struct OptionField
 {
-    using Value = std::variant<double*, int*, bool*, std::string*>;
+    /** A `std::optional` is for a number that is worked out when it is not given; its text is then `auto`. */
+    using Value = std::variant<double*, int*, bool*, std::string*, std::optional<double>*>;
 
     std::string name;     //!< for example `max_width`; its full key is `section.name`
     Value value;          //!< the member that holds it
@@ -24,7 +27,7 @@ struct OptionField
     std::vector<std::string> choices = {};                      //!< of a name; empty when anything goes
 
     std::string valueText() const;  //!< shortest text that reads back to the same value
-    std::string typeText() const;   //!< `number`, `integer`, `yes|no` or the choices
+    std::string typeText() const;   //!< `number`, `number|auto`, `integer`, `yes|no` or the choices
     std::string rangeText() const;  //!< for example `[0, 1]`; empty when unbounded
 };
 
@@ -35,13 +38,14 @@ struct OptionField
  */
 class OptionTable : public mrpt::config::CLoadableOptions
 {
-   public:
+ public:
     virtual std::string section() const = 0;
     /** The table; `value` points into this object. */
     virtual std::vector<OptionField> fields() = 0;
 
     /** Sets one field from text; `name` without the section.
-     * \throws std::invalid_argument  unknown name (the message names the nearest), unreadable or out-of-range value
+     * \throws std::invalid_argument  unknown name (the message names the nearest), unreadable or out-of-range
+     * value
      */
     void set(const std::string& name, const std::string& text);
     /** Checks ranges, then the rules between fields.
@@ -56,7 +60,7 @@ class OptionTable : public mrpt::config::CLoadableOptions
     void saveToConfigFile(mrpt::config::CConfigFileBase& target, const std::string& section) const override;
     void dumpToTextStream(std::ostream& out) const override;
 
-   protected:
+ protected:
     OptionTable() = default;
     OptionTable(const OptionTable&) = default;
     OptionTable& operator=(const OptionTable&) = default;
