@@ -5,6 +5,7 @@
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/serialization/CArchive.h>
 
+#include <cmath>
 #include <cstring>
 #include <random>
 

@@ -1,6 +1,6 @@
 #include "io/PgmReader.h"
 
-#include <cstring>
+#include <algorithm>
 
 #include "gr2to/base/errors.h"
 #include "io/errorText.h"
