@@ -14,6 +14,7 @@ struct TDoorLikeOptions : gr2to::OptionTable
     int samples = 8;
     bool strict = true;
     std::string mode = "fast";
+    std::optional<double> height;
 
     std::string section() const override { return "door"; }
     std::vector<gr2to::OptionField> fields() override
@@ -22,7 +23,8 @@ struct TDoorLikeOptions : gr2to::OptionTable
                 {"max_width", &max_width, "m", "Widest door.", 0.1, 5},
                 {"samples", &samples, "", "Samples on the circle.", 4, 64},
                 {"strict", &strict, "", "Whether ties fail."},
-                {"mode", &mode, "", "How.", 0, 0, {"fast", "exact"}}};
+                {"mode", &mode, "", "How.", 0, 0, {"fast", "exact"}},
+                {"height", &height, "m", "Height of the lintel; auto: as measured.", 1, 3}};
     }
     void checkRules() const override
     {
@@ -94,4 +96,20 @@ TEST(OptionTable, dumpNamesEveryFieldWithItsUnit)
     std::ostringstream out;
     TDoorLikeOptions().dumpToTextStream(out);
     EXPECT_THAT(out.str(), testing::HasSubstr("door.max_width = 1.2 m\n"));
+}
+
+TEST(OptionTable, aNumberThatIsNotGivenReadsAutoAndRoundTrips)
+{
+    TDoorLikeOptions options;
+    const auto heightText = [&] { return options.fields().back().valueText(); };
+    EXPECT_EQ(heightText(), "auto");
+    EXPECT_NO_THROW(options.check());
+    options.set("height", "2.05");
+    EXPECT_EQ(options.height, 2.05);
+    EXPECT_EQ(heightText(), "2.05");
+    options.set("height", "auto");
+    EXPECT_FALSE(options.height.has_value());
+    EXPECT_THAT(messageOf([&] { options.set("height", "9"); }), testing::HasSubstr("[1, 3]"));
+    EXPECT_THAT(messageOf([&] { options.set("height", "nan"); }), testing::HasSubstr("[1, 3]"));
+    EXPECT_THAT(messageOf([&] { options.set("height", "tall"); }), testing::HasSubstr("number|auto"));
 }

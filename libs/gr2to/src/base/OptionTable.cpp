@@ -30,11 +30,19 @@ bool parseSwitch(const std::string& text, bool& value)
     return false;
 }
 
+bool parseNumberOrAuto(const std::string& text, std::optional<double>& value)
+{
+    if (text == "auto") return value.reset(), true;
+    return parseNumber(text, value.emplace());
+}
+
 bool parse(const std::string& text, const OptionField::Value& target)
 {
     if (auto* const* number = std::get_if<double*>(&target)) return parseNumber(text, **number);
     if (auto* const* integer = std::get_if<int*>(&target)) return parseNumber(text, **integer);
     if (auto* const* toggle = std::get_if<bool*>(&target)) return parseSwitch(text, **toggle);
+    if (auto* const* maybe = std::get_if<std::optional<double>*>(&target))
+        return parseNumberOrAuto(text, **maybe);
     *std::get<std::string*>(target) = text;
     return true;
 }
@@ -59,6 +67,10 @@ void checkField(const std::string& section, const OptionField& field)
     double value = 0;
     if (const auto* const* number = std::get_if<double*>(&field.value)) value = **number;
     if (const auto* const* integer = std::get_if<int*>(&field.value)) value = **integer;
+    if (const auto* const* maybe = std::get_if<std::optional<double>*>(&field.value)) {
+        if (!**maybe) return;
+        value = ***maybe;
+    }
     if (!std::isfinite(value) || value < field.minimum || value > field.maximum)
         complain("must be within " + field.rangeText());
 }
@@ -69,12 +81,15 @@ std::string OptionField::valueText() const
     if (const auto* const* number = std::get_if<double*>(&value)) return numberText(**number);
     if (const auto* const* integer = std::get_if<int*>(&value)) return std::to_string(**integer);
     if (const auto* const* toggle = std::get_if<bool*>(&value)) return **toggle ? "yes" : "no";
+    if (const auto* const* maybe = std::get_if<std::optional<double>*>(&value))
+        return **maybe ? numberText(***maybe) : "auto";
     return *std::get<std::string*>(value);
 }
 
 std::string OptionField::typeText() const
 {
     if (std::holds_alternative<double*>(value)) return "number";
+    if (std::holds_alternative<std::optional<double>*>(value)) return "number|auto";
     if (std::holds_alternative<int*>(value)) return "integer";
     if (std::holds_alternative<bool*>(value)) return "yes|no";
     if (choices.empty()) return "text";
@@ -84,7 +99,7 @@ std::string OptionField::typeText() const
 
 std::string OptionField::rangeText() const
 {
-    if (!std::holds_alternative<double*>(value) && !std::holds_alternative<int*>(value)) return "";
+    if (std::holds_alternative<bool*>(value) || std::holds_alternative<std::string*>(value)) return "";
     if (std::isinf(minimum) && std::isinf(maximum)) return "";
     return (std::isinf(minimum) ? "(-inf" : "[" + numberText(minimum)) + ", " +
            (std::isinf(maximum) ? "inf)" : numberText(maximum) + "]");

@@ -4,6 +4,7 @@
 
 #include <iosfwd>
 #include <limits>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -14,7 +15,8 @@ namespace gr2to
  * know. */
 struct OptionField
 {
-    using Value = std::variant<double*, int*, bool*, std::string*>;
+    /** A `std::optional` is for a number that is worked out when it is not given; its text is then `auto`. */
+    using Value = std::variant<double*, int*, bool*, std::string*, std::optional<double>*>;
 
     std::string name;     //!< for example `max_width`; its full key is `section.name`
     Value value;          //!< the member that holds it
@@ -25,7 +27,7 @@ struct OptionField
     std::vector<std::string> choices = {};                      //!< of a name; empty when anything goes
 
     std::string valueText() const;  //!< shortest text that reads back to the same value
-    std::string typeText() const;   //!< `number`, `integer`, `yes|no` or the choices
+    std::string typeText() const;   //!< `number`, `number|auto`, `integer`, `yes|no` or the choices
     std::string rangeText() const;  //!< for example `[0, 1]`; empty when unbounded
 };
 
