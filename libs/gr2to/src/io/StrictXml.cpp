@@ -50,7 +50,8 @@ void StrictElement::expectAttributes(std::initializer_list<std::string_view> req
     for (const auto attribute : m_node.attributes()) {
         const std::string_view name = attribute.name();
         if (!contains(required, name) && !contains(optional, name))
-            fail("attribute " + excerpt(name) + " is unknown; it has " + joined(required, ", ") +
+            fail("attribute " + excerpt(name) + " is unknown; it has " +
+                 (required.size() > 0 ? joined(required, ", ") : "no attributes") +
                  (optional.size() > 0 ? " and optionally " + joined(optional, ", ") : ""));
         if (std::find(seen.begin(), seen.end(), name) != seen.end())
             fail("attribute " + std::string(name) + " is there twice");
@@ -141,7 +142,8 @@ std::vector<StrictElement> StrictElement::sequence(std::initializer_list<std::st
     const auto children = childElements();
     for (const auto& child : children)
         if (!contains(names, child.name()))
-            child.fail("the element is unknown; " + name() + " has " + joined(names, ", "));
+            child.fail("the element is unknown; " + name() + " has " +
+                       (names.size() > 0 ? joined(names, ", ") : "no elements"));
     for (const auto name : names) {
         const auto count = std::count_if(children.begin(), children.end(),
                                          [&](const StrictElement& child) { return child.name() == name; });

@@ -18,21 +18,23 @@ namespace
 constexpr std::size_t MOST_BYTES = std::size_t{1} << 30U;
 
 /** How MRPT frames an object: its class name's length with the highest bit set, that name, a version,
- * content, a flag. */
+ * content, a flag.
+ *
+ * It is done here rather than by MRPT's operators, which report every failure inside an object as an early
+ * end of file when reading, and as an exception of their own type when writing.
+ */
 struct ObjectHeader
 {
     std::string className;
     std::uint8_t version = 0;
     std::size_t size = 0;
 };
-constexpr unsigned char END_FLAG = 0x88;
+constexpr std::uint8_t MARK = 0x80;
+constexpr std::uint8_t END_FLAG = 0x88;
 
-/** MRPT's own reader reports every failure inside an object as an early end of file; this one says what it
- * is. */
 ObjectHeader readHeader(std::string_view bytes, const std::string& name)
 {
-    constexpr unsigned char MARK = 0x80;
-    const auto first = bytes.empty() ? 0U : static_cast<unsigned char>(bytes.front());
+    const auto first = static_cast<std::uint8_t>(bytes.empty() ? 0 : bytes.front());
     const std::size_t length = first & 0x7FU;
     if ((first & MARK) == 0 || bytes.size() < length + 2)
         throw InputError(name + ": is gz data, but not an MRPT archive");
@@ -42,8 +44,14 @@ ObjectHeader readHeader(std::string_view bytes, const std::string& name)
 
 std::string toArchive(const TopologicalMap& map)
 {
+    const std::string className = CLASS_ID(CTopologicalMap)->className;
     mrpt::io::CMemoryStream stream;
-    mrpt::serialization::archiveFrom(stream) << CTopologicalMap(map);
+    auto archive = mrpt::serialization::archiveFrom(stream);
+    archive << static_cast<std::uint8_t>(MARK | className.size());
+    archive.WriteBuffer(className.data(), className.size());
+    archive << MAP_ARCHIVE_VERSION;
+    writeMap(archive, map);
+    archive << END_FLAG;
     return compressGz({static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()});
 }
 
@@ -60,7 +68,7 @@ TopologicalMap fromArchive(std::string_view bytes, const std::string& name)
     auto archive = mrpt::serialization::archiveFrom(stream);
     TopologicalMap map = readMap(archive, header.version, name);
     const std::size_t end = header.size + static_cast<std::size_t>(stream.getPosition());
-    if (end + 1 != content.size() || static_cast<unsigned char>(content[end]) != END_FLAG)
+    if (end + 1 != content.size() || static_cast<std::uint8_t>(content[end]) != END_FLAG)
         throw InputError(name +
                          ": the archive is truncated or corrupt: the map does not end where the data do");
     return map;
