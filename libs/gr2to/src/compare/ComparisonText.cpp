@@ -40,8 +40,8 @@ class Table
  private:
     void put(const std::string& name, const std::string& value, const std::string& meaning)
     {
-        m_out << "  " << std::left << std::setw(20) << name << std::right << std::setw(8) << value << "  "
-              << meaning << '\n';
+        m_out << "  " << std::left << std::setw(20) << name << std::right << std::setw(8) << value
+              << (meaning.empty() ? "" : "  " + meaning) << '\n';
     }
     std::ostringstream m_out;
 };

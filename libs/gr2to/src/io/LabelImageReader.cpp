@@ -21,7 +21,7 @@ constexpr std::uint32_t kMaxLabel = std::numeric_limits<PlaceId>::max();
 
 /** A PNG in memory while libpng decodes it; owns libpng's structures.
  *
- * libpng reports errors by longjmp, so the two decode functions hold no objects that need destruction.
+ * libpng reports errors by longjmp, so the decode functions hold no objects that need destruction.
  */
 class PngDecoder
 {
@@ -67,8 +67,6 @@ class PngDecoder
     std::size_t width() const { return png_get_image_width(m_png, m_info); }
     std::size_t height() const { return png_get_image_height(m_png, m_info); }
     std::size_t rowBytes() const { return png_get_rowbytes(m_png, m_info); }
-    bool isColour() const { return png_get_color_type(m_png, m_info) == PNG_COLOR_TYPE_RGB; }
-    bool is16Bit() const { return png_get_bit_depth(m_png, m_info) == 16; }
     const std::string& error() const { return m_error; }
 
  private:
@@ -134,9 +132,6 @@ Pixels decode(const fs::path& path)
     };
     if (!png.decodeHeader()) fail();
     checkSize(png, path, file.size());
-    if (png.isColour() && png.is16Bit())
-        throw InputError("'" + path.string() +
-                         "' has 16 bits a colour; label images have 8, or 16 bits of grey");
     if (!png.decodeFormat()) fail();
     Pixels pixels{png.width(), png.height(), png.rowBytes(), png.rowBytes() / png.width(), {}};
     if (pixels.bytesEach > 3)

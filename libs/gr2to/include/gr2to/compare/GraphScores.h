@@ -47,8 +47,7 @@ struct DoorScores
     double precisionLenient = 0;
     int annotated = 0;
     int predicted = 0;
-    std::optional<double>
-        widthError_m;  //!< mean absolute error of the widths over the pairs; absent without any
+    std::optional<double> widthError_m;  //!< mean absolute error over the pairs; absent without any
 };
 
 /** How well the rooms' neighbourhood is found; shares in [0, 1], 1 is best.
