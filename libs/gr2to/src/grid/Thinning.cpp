@@ -15,7 +15,7 @@ constexpr int kMaxBucket = 0xFFFF >> kBucketShift;
 
 /** Clearances that differ by less are removed first come, first served: in waves, which keeps them in order
  * too. */
-constexpr float kBucketCells = 4.0F;
+constexpr float kBucketCells = 2.0F;
 /** Side of a tile [cells]: two bytes a cell, three rows of neighbours and the queue fit a 256 kB cache. */
 constexpr int kTileSide = 256;
 
@@ -119,10 +119,13 @@ class Thinner
         drain([](std::uint8_t) { return false; });
     }
 
-    /** Thins the anchors too, but keeps the ends of curves. */
+    /** Thins the anchors too, but keeps the ends of curves.
+     * \param anchors  in the order in which they shall be tried
+     */
     void thinAnchors(const std::vector<Cell>& anchors)
     {
-        for (const Cell c : anchors) {
+        for (const Cell c : anchors)
+        {
             std::uint16_t& cell = m_cells[m_cells.index(c)];
             cell = static_cast<std::uint16_t>(cell & ~kAnchor);
         }
@@ -292,7 +295,11 @@ Mask thin(const ClassifiedGrid& grid, const DistanceMap& distances, const std::v
     Thinner thinner(grid, distances);
     thinner.protect(anchors);
     thinner.thinAroundAnchors();
-    thinner.thinAnchors(anchors);
+    std::vector<Cell> byClearance = anchors;
+    std::stable_sort(byClearance.begin(), byClearance.end(), [&](Cell a, Cell b) {
+        return distances.squared[distances.index(a)] < distances.squared[distances.index(b)];
+    });
+    thinner.thinAnchors(byClearance);
     return thinner.result();
 }
 }  // namespace gr2to

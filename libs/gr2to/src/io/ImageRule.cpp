@@ -47,12 +47,12 @@ std::vector<CellState> stateTable(const ImageRule& rule, unsigned channels, unsi
 
 void requireSize(std::uint64_t width, std::uint64_t height, const std::string& name)
 {
-    constexpr std::uint64_t longest = std::numeric_limits<int>::max();
+    const std::uint64_t longest = ClassifiedGrid::maxSide();
     const auto size = [&] { return std::to_string(width) + " x " + std::to_string(height); };
     if (width == 0 || height == 0)
         throw InputError(name + " has " + size() + " cells; both sides must be positive");
-    if (width > longest || height > longest || width * height > ClassifiedGrid::maxCells())
-        throw InputError(name + " claims " + size() +
-                         " cells; at most 2^31 are supported: crop it or use a coarser resolution");
+    if (width > longest || height > longest)
+        throw InputError(name + " claims " + size() + " cells; at most " + std::to_string(longest) +
+                         " a side are supported: crop it or use a coarser resolution");
 }
 }  // namespace gr2to::io

@@ -115,8 +115,10 @@ void checkSize(const PngDecoder& png, const fs::path& path, std::size_t fileByte
     // Deflate packs at most 1032 bytes into one.
     constexpr std::size_t kMostPacked = 1032;
     const std::string size = std::to_string(png.width()) + " x " + std::to_string(png.height());
-    if (png.width() * png.height() > ClassifiedGrid::maxCells())
-        throw InputError("'" + path.string() + "' has " + size + " pixels; at most 2^31 are supported");
+    const std::size_t longest = ClassifiedGrid::maxSide();
+    if (png.width() > longest || png.height() > longest)
+        throw InputError("'" + path.string() + "' has " + size + " pixels; at most " + std::to_string(longest) +
+                         " a side are supported");
     if (png.rowBytes() * png.height() > fileBytes * kMostPacked)
         throw InputError("'" + path.string() + "' is too short for its " + size + " pixels; it is damaged");
 }
