@@ -9,17 +9,12 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "gr2to/base/text.h"
+
 namespace gr2to
 {
 namespace
 {
-std::string numberText(double value)
-{
-    char buffer[64];
-    const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-    return {buffer, end};
-}
-
 template <class T>
 bool parseNumber(const std::string& text, T& value)
 {
