@@ -1,6 +1,5 @@
 #include "Canvas.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "gr2to/base/errors.h"
@@ -9,32 +8,12 @@ namespace gr2to::view
 {
 namespace
 {
-constexpr double kNominalSide_px = 1000.0;
 constexpr double kFullTurn_rad = 6.283185307179586;
-// Cairo's own line font: the same letters on every machine, whatever fonts are installed, and none at all needed.
+// Cairo's own line font: the same letters on every machine, whatever fonts are installed, and none at all
+// needed.
+constexpr int kHaloCopies = 12;
 constexpr const char* kBuiltInFont = "@cairo:";
 }  // namespace
-
-Layout Layout::of(const ClassifiedGrid& grid, int minSide, int maxSide)
-{
-    Layout layout;
-    layout.gridWidth = grid.width();
-    layout.gridHeight = grid.height();
-    const int longer = std::max(grid.width(), grid.height());
-    layout.reduce = (longer - 1) / maxSide + 1;
-    if (layout.reduce == 1) layout.enlarge = std::clamp((minSide - 1) / longer + 1, 1, maxSide / longer);
-    const auto pixels = [&](int cells) { return (cells * layout.enlarge - 1) / layout.reduce + 1; };
-    layout.mapWidth = pixels(grid.width());
-    layout.mapHeight = pixels(grid.height());
-    layout.unit = std::max(layout.mapWidth, layout.mapHeight) / kNominalSide_px;
-    return layout;
-}
-
-Eigen::Vector2d Layout::toPicture(double column, double row) const
-{
-    const double scale = pixelsPerCell();
-    return {mapLeft + (column + 0.5) * scale, (gridHeight - 0.5 - row) * scale};
-}
 
 Canvas::Canvas(cairo_surface_t* surface) : m_context(cairo_create(surface))
 {
@@ -65,7 +44,8 @@ void Canvas::strokeAndKeep(Rgb color, double width_px)
     cairo_stroke_preserve(context());
 }
 
-void Canvas::line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Rgb color, double width_px, double dash_px)
+void Canvas::line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Rgb color, double width_px,
+                  double dash_px)
 {
     moveTo(a);
     lineTo(b);
@@ -97,10 +77,19 @@ double Canvas::textWidth(const std::string& text)
 
 void Canvas::text(const Eigen::Vector2d& p, const std::string& text, Rgb color, double halo_px)
 {
-    moveTo(p);
-    cairo_text_path(context(), text.c_str());
-    if (halo_px > 0) strokeAndKeep(palette::halo, 2 * halo_px);
+    const auto show = [&](const Eigen::Vector2d& at) {
+        moveTo(at);
+        cairo_show_text(context(), text.c_str());
+    };
+    if (halo_px > 0) {
+        // Shifted copies share the font's glyphs; outlines of the text would make up most of an SVG file.
+        setColor(palette::halo);
+        for (int i = 0; i < kHaloCopies; ++i) {
+            const double angle = kFullTurn_rad * i / kHaloCopies;
+            show(p + halo_px * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        }
+    }
     setColor(color);
-    cairo_fill(context());
+    show(p);
 }
 }  // namespace gr2to::view

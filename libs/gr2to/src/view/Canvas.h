@@ -6,7 +6,6 @@
 #include <memory>
 #include <string>
 
-#include "gr2to/grid/ClassifiedGrid.h"
 #include "gr2to/view/Palette.h"
 
 namespace gr2to::view
@@ -17,29 +16,10 @@ struct SurfaceDeleter
 };
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceDeleter>;
 
-/** Where the map lies in the picture. A grid is enlarged or reduced by a whole factor, so that cells stay square. */
-struct Layout
-{
-    int enlarge = 1;   //!< picture pixels a cell
-    int reduce = 1;    //!< cells a picture pixel; 1 when enlarge > 1
-    int gridWidth = 0, gridHeight = 0;  //!< [cells]
-    int mapWidth = 0, mapHeight = 0;    //!< of the map's part of the picture, from its top [px]
-    int mapLeft = 0;                    //!< of the map's part [px]; above 0 when the legend is wider than the map
-    double unit = 1;   //!< pixels that make one pixel of a picture of nominal size
-
-    /** \param minSide, maxSide  bounds on the longer side of the map's part [px] */
-    static Layout of(const ClassifiedGrid& grid, int minSide, int maxSide);
-
-    double pixelsPerCell() const { return static_cast<double>(enlarge) / reduce; }
-    /** Picture position [px, y down] of continuous grid coordinates [cells, y up]. */
-    Eigen::Vector2d toPicture(double column, double row) const;
-    Eigen::Vector2d toPicture(const Eigen::Vector2d& p) const { return toPicture(p.x(), p.y()); }
-};
-
 /** A cairo context with the few verbs that the overlay needs. Positions and widths in picture pixels. */
 class Canvas
 {
-   public:
+ public:
     /** \throws OutputError  cairo has no memory for it */
     explicit Canvas(cairo_surface_t* surface);
 
@@ -52,7 +32,8 @@ class Canvas
     void stroke(Rgb color, double width_px, double dash_px = 0.0, double opacity = 1.0);
     /** As stroke() and keeps the path for another one. */
     void strokeAndKeep(Rgb color, double width_px);
-    void line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Rgb color, double width_px, double dash_px = 0.0);
+    void line(const Eigen::Vector2d& a, const Eigen::Vector2d& b, Rgb color, double width_px,
+              double dash_px = 0.0);
     /** A filled circle with an outline. */
     void dot(const Eigen::Vector2d& center, double diameter_px, Rgb fill, Rgb outline, double outline_px);
     void setTextSize(double size_px, bool bold);
@@ -61,7 +42,7 @@ class Canvas
     /** Text with its baseline's left end at `p`; a halo of 0 is none. */
     void text(const Eigen::Vector2d& p, const std::string& text, Rgb color, double halo_px = 0.0);
 
-   private:
+ private:
     struct ContextDeleter
     {
         void operator()(cairo_t* context) const { cairo_destroy(context); }

@@ -11,11 +11,13 @@ namespace
 {
 using Eigen::Vector2d;
 
-constexpr double kVirtualShare = 0.6;   // width of a virtual wall or opening, of a real one's
-constexpr double kCasing = 1.5;         // width of the light line under a door, of the door's
-constexpr double kOutlineShare = 0.2;   // of a dot's diameter
-constexpr std::ptrdiff_t kSmoothing_cells = 2;  // on either side: turns the staircases of a cell path into slopes
-constexpr double kShortestMove_px = 1.5;        // of a drawn polyline
+constexpr double kVirtualShare = 0.6;       // width of a virtual wall or opening, of a real one's
+constexpr double kCasing = 1.5;             // width of the light line under a door, of the door's
+constexpr double kConnectionOpacity = 0.7;  // a corridor with many doors is a star of them
+constexpr double kOutlineShare = 0.2;       // of a dot's diameter
+constexpr std::ptrdiff_t kSmoothing_cells =
+    2;                                    // on either side: turns the staircases of a cell path into slopes
+constexpr double kShortestMove_px = 1.5;  // of a drawn polyline
 
 /** What every layer needs at hand. */
 struct Scene
@@ -42,14 +44,12 @@ Vector2d smoothed(const std::vector<Cell>& cells, std::ptrdiff_t i)
 
 void drawVoronoi(const Scene& scene)
 {
-    for (const auto& edge : scene.input.voronoi.edges)
-    {
+    for (const auto& edge : scene.input.voronoi.edges) {
         if (edge.cells.empty()) continue;
         const auto count = static_cast<std::ptrdiff_t>(edge.cells.size());
         Vector2d last = scene.layout.toPicture(smoothed(edge.cells, 0));
         scene.canvas.moveTo(last);
-        for (std::ptrdiff_t i = 1; i < count; ++i)
-        {
+        for (std::ptrdiff_t i = 1; i < count; ++i) {
             const Vector2d p = scene.layout.toPicture(smoothed(edge.cells, i));
             if (i + 1 < count && (p - last).norm() < kShortestMove_px) continue;
             scene.canvas.lineTo(p);
@@ -63,8 +63,7 @@ void drawWalls(const Scene& scene)
 {
     for (const bool real : {false, true})
         for (const auto& [id, place] : scene.input.map.places())
-            for (const auto& wall : place.walls)
-            {
+            for (const auto& wall : place.walls) {
                 if (wall.real != real) continue;
                 const Vector2d middle(wall.position.mean.x, wall.position.mean.y);
                 const Vector2d along(-wall.normal.mean.y, wall.normal.mean.x);
@@ -83,17 +82,17 @@ Vector2d centerOf(const Scene& scene, PlaceId id)
 
 void drawConnections(const Scene& scene, const std::vector<Connection>& connections)
 {
-    for (const auto& connection : connections)
-    {
+    for (const auto& connection : connections) {
         const auto& door = connection.doorway.position.mean;
         scene.canvas.moveTo(scene.layout.toPicture(centerOf(scene, connection.from)));
         scene.canvas.lineTo(scene.picture(door.x, door.y));
         scene.canvas.lineTo(scene.layout.toPicture(centerOf(scene, connection.to)));
     }
-    scene.canvas.stroke(palette::ink, scene.px(scene.options.connection_width));
+    scene.canvas.stroke(palette::ink, scene.px(scene.options.connection_width), 0, kConnectionOpacity);
 }
 
-/** Direction of a doorway along the grid's axes: from its jambs, else square to the line between its places. */
+/** Direction of a doorway along the grid's axes: from its jambs, else square to the line between its places.
+ */
 Vector2d directionOf(const Scene& scene, const Connection& connection, const Vector2d& center)
 {
     const double length_cells = connection.doorway.size.length_m / scene.input.grid.resolution_m();
@@ -106,14 +105,13 @@ void drawDoors(const Scene& scene, const std::vector<Connection>& connections)
 {
     const double width = scene.px(scene.options.door_width);
     for (const bool real : {false, true})
-        for (const auto& connection : connections)
-        {
+        for (const auto& connection : connections) {
             if (connection.doorway.real != real) continue;
             const auto& mean = connection.doorway.position.mean;
             const Vector2d center = scene.gridPoint(mean.x, mean.y);
             const Vector2d along = directionOf(scene, connection, center);
-            const double length_px =
-                connection.doorway.size.length_m / scene.input.grid.resolution_m() * scene.layout.pixelsPerCell();
+            const double length_px = connection.doorway.size.length_m / scene.input.grid.resolution_m() *
+                                     scene.layout.pixelsPerCell();
             // On a much reduced map a door would vanish; a square is the least that can be seen.
             const Vector2d half = Vector2d(along.x(), -along.y()) * (std::max(length_px, width) / 2);
             const Vector2d p = scene.layout.toPicture(center);
@@ -136,7 +134,8 @@ void drawVirtualOpening(Canvas& canvas, const Vector2d& a, const Vector2d& b, do
     canvas.line(a, b, palette::door, width_px * kVirtualShare, dash_px);
 }
 
-void drawWall(Canvas& canvas, const Vector2d& a, const Vector2d& b, bool real, double width_px, double dash_px)
+void drawWall(Canvas& canvas, const Vector2d& a, const Vector2d& b, bool real, double width_px,
+              double dash_px)
 {
     if (real)
         canvas.line(a, b, palette::ink, width_px);
@@ -154,7 +153,8 @@ void drawVertex(Canvas& canvas, const Vector2d& p, double size_px)
     canvas.dot(p, size_px, palette::vertex, palette::halo, size_px * kOutlineShare);
 }
 
-void drawLines(Canvas& canvas, const OverlayInput& input, const TOverlayOptions& options, const Layout& layout)
+void drawLines(Canvas& canvas, const OverlayInput& input, const TOverlayOptions& options,
+               const Layout& layout)
 {
     const Scene scene{canvas, input, options, layout};
     const auto connections = input.map.connections();
@@ -164,9 +164,11 @@ void drawLines(Canvas& canvas, const OverlayInput& input, const TOverlayOptions&
     if (options.doors) drawDoors(scene, connections);
     if (options.critical_points)
         for (const auto& point : input.criticalPoints)
-            drawCriticalPoint(canvas, layout.toPicture(point.cell.x, point.cell.y), scene.px(options.point_size));
+            drawCriticalPoint(canvas, layout.toPicture(point.cell.x, point.cell.y),
+                              scene.px(options.point_size));
     if (options.connections)
         for (const auto& [id, place] : input.map.places())
-            drawVertex(canvas, scene.picture(place.center.x, place.center.y), scene.px(options.point_size * 1.2));
+            drawVertex(canvas, scene.picture(place.center.x, place.center.y),
+                       scene.px(options.point_size * kVertexShare));
 }
 }  // namespace gr2to::view

@@ -8,9 +8,10 @@ namespace gr2to
 {
 namespace
 {
-// Farthest-point selection among all light sRGB tints under normal and simulated dichromatic vision (Machado, Oliveira
-// and Fernandes 2009), kept away from the greys of unknown and occupied cells, then ordered by simulated annealing so
-// that colours at most five steps apart, around the cycle, differ most. Palette_unittest holds the distances.
+// Farthest-point selection among all light sRGB tints under normal and simulated dichromatic vision (Machado,
+// Oliveira and Fernandes 2009), kept away from the greys of unknown and occupied cells, then ordered by
+// simulated annealing so that colours at most five steps apart, around the cycle, differ most.
+// Palette_unittest holds the distances.
 constexpr std::array<std::uint32_t, palette::placeColors> kPlaceTints = {
     0xD2AF8C, 0xC8F5B4, 0x91C3F5, 0xFAE1FF, 0xFF9664, 0xFFEB7D, 0xF0BEBE, 0xC3D791, 0x78B4FF, 0xB4D7FF,
     0xFF8CD2, 0xB4E17D, 0xD7CDAA, 0x96E6D2, 0x9BB9A0, 0xEBF0A0, 0x64C3D7, 0x7DC86E, 0xDCD264, 0xDCF0CD};

@@ -11,9 +11,9 @@ namespace gr2to::view
  *
  * \param center       continuous grid coordinates [cells]
  * \param reach_cells  how far to look for jambs, each way
- * \return unit vector along the grid's axes, its sign arbitrary; none when no direction meets a jamb both ways
- * Directions whose run is less than a cell longer than the shortest one are averaged. Cells that are not free, and the
- * outside of the grid, are jambs.
+ * \return unit vector along the grid's axes, its sign arbitrary; none when no direction meets a jamb both
+ * ways Directions whose run is less than a cell longer than the shortest one are averaged. Cells that are not
+ * free, and the outside of the grid, are jambs.
  */
 std::optional<Eigen::Vector2d> doorDirection(const ClassifiedGrid& grid, const Eigen::Vector2d& center,
                                              double reach_cells);

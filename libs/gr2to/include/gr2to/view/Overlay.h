@@ -23,8 +23,8 @@ struct OverlayInput
 
 /** What an overlay shows and how large.
  *
- * Widths and text sizes are in pixels of a picture whose longer side has 1000 of them and grow with the picture, so
- * that it looks the same when it is shown at any one size.
+ * Widths and text sizes are in pixels of a picture whose longer side has 1000 of them and grow with the
+ * picture, so that it looks the same when it is shown at any one size.
  */
 struct TOverlayOptions : OptionTable
 {
@@ -39,8 +39,11 @@ struct TOverlayOptions : OptionTable
     bool legend = true;           //!< below the map
     bool scale_bar = true;        //!< below the map
 
-    int min_side = 1000;  //!< the longer side has at least these pixels: small grids are enlarged by a whole factor
-    int max_side = 2400;  //!< and at most these: large grids are reduced by a whole factor; without the legend
+    bool crop = true;  //!< leave out surroundings of which nothing is known, but for a narrow margin
+    int min_side =
+        1000;  //!< the longer side has at least these pixels: small grids are enlarged by a whole factor
+    int max_side =
+        2400;  //!< and at most these: large grids are reduced by a whole factor; without the legend
 
     double wall_width = 2.2;
     double door_width = 5.0;
@@ -52,15 +55,18 @@ struct TOverlayOptions : OptionTable
     std::string section() const override { return "overlay"; }
     std::vector<OptionField> fields() override;
 
-   protected:
+ protected:
     void checkRules() const override;
 };
 
-/** The overlay as the bytes of a PNG file: the grid with everything that was found in it, as in figs. 2-5 of the paper.
+/** The overlay as the bytes of a PNG file: the grid with everything that was found in it, as in figs. 2-5 of
+ * the paper.
  *
- * The picture is aligned with the grid: its left edge is column 0, its top edge the highest row, whatever the yaw of the
- * frame. Cells that are pooled into one pixel are occupied when any of them is, so that thin walls survive. The legend
- * and the scale bar lie in a strip below the map. Same input and options, same bytes.
+ * The picture is aligned with the grid, whatever the yaw of the frame: columns run to the right, rows
+ * upwards. Without `crop` its left edge is column 0 and its top edge the highest row. Cells that are pooled
+ * into one pixel are occupied when any of them is, so that thin walls survive. The legend and the scale bar
+ * lie in a strip below the map. Text is in cairo's built-in line font, so no fonts are needed. Same input and
+ * options, same bytes.
  *
  * \throws InputError             the grid is empty
  * \throws std::invalid_argument  an option is out of range, or the place image has not the grid's size
@@ -69,8 +75,10 @@ struct TOverlayOptions : OptionTable
  */
 std::string renderOverlayPng(const OverlayInput& input, const TOverlayOptions& options = {});
 
-/** The same picture as the bytes of an SVG file (one unit a pixel): cells are an embedded image, all else is lines.
- * \throws as renderOverlayPng()
+/** The same picture as the bytes of an SVG file, one unit a pixel: cells are an embedded image, all else is
+ * lines.
+ *
+ * \throws InputError, std::invalid_argument, OutputError  as renderOverlayPng()
  */
 std::string renderOverlaySvg(const OverlayInput& input, const TOverlayOptions& options = {});
 }  // namespace gr2to
