@@ -19,7 +19,7 @@ struct Rgb
 
 /** The colours of every picture that the project draws.
  *
- * Places are light tints (CIE lightness 72 ... 93) on which dark lines stay readable; marks are taken from
+ * Places are light tints (CIE lightness L* above 72) on which dark lines stay readable; marks are taken from
  * the colour-blind safe set of Okabe and Ito (2008).
  */
 namespace palette
@@ -41,9 +41,9 @@ inline constexpr std::size_t placeColors = 20;
 /** Colour of a place; it depends on nothing but the id, so it is the same on every run and every map.
  *
  * Ids follow raster order, so neighbours on the map tend to have ids near one another. Any two ids whose
- * difference is at most five differ by at least 10 units of CIELAB distance (1976) to people with normal,
- * protanopic or deuteranopic vision and 7.5 to tritanopes; any two of the colours by 8.9 and 6.6. (About 2
- * can just be told apart.) Id 0, no place, has the colour of free space.
+ * difference is at most five differ by at least 19 units of CIELAB distance (1976) to people with normal
+ * vision, 10 to protanopes and deuteranopes and 8 to tritanopes; any two of the colours by 10, 8.9, 8.9
+ * and 7. (About 2 can just be told apart.) Id 0, no place, has the colour of free space.
  */
 Rgb placeColor(PlaceId id);
 
