@@ -30,7 +30,7 @@ inline constexpr Rgb free{255, 255, 255};  //!< free cells that belong to no pla
 inline constexpr Rgb ink{17, 17, 17};      //!< walls, connections and text
 inline constexpr Rgb halo{255, 255, 255};  //!< around text and doors
 inline constexpr Rgb door{0, 114, 178};
-inline constexpr Rgb voronoi{0, 126, 92};
+inline constexpr Rgb voronoi{0, 110, 80};
 inline constexpr Rgb criticalPoint{240, 228, 66};
 inline constexpr Rgb vertex{213, 60, 0};
 
@@ -42,7 +42,7 @@ inline constexpr std::size_t placeColors = 20;
  *
  * Ids follow raster order, so neighbours on the map tend to have ids near one another. Any two ids whose
  * difference is at most five differ by at least 19 units of CIELAB distance (1976) to people with normal
- * vision, 10 to protanopes and deuteranopes and 8 to tritanopes; any two of the colours by 10, 8.9, 8.9
+ * vision, 9.9 to protanopes and deuteranopes and 8 to tritanopes; any two of the colours by 10, 8.9, 8.9
  * and 7. (About 2 can just be told apart.) Id 0, no place, has the colour of free space.
  */
 Rgb placeColor(PlaceId id);
