@@ -103,7 +103,7 @@ TEST(Palette, marksStandOutFromEveryPlace)
         for (std::size_t id = 1; id <= gr2to::palette::placeColors; ++id)
             for (const Rgb mark : {gr2to::palette::ink, gr2to::palette::door, gr2to::palette::voronoi})
                 EXPECT_GE(
-                    (lab(placeColor(static_cast<gr2to::PlaceId>(id)), vision) - lab(mark, vision)).norm(), 25)
+                    (lab(placeColor(static_cast<gr2to::PlaceId>(id)), vision) - lab(mark, vision)).norm(), 20)
                     << vision.name << ", place " << id;
 }
 

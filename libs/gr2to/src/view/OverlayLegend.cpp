@@ -47,7 +47,7 @@ bool hasCorridors(const TopologicalMap& map)
 
 void addSwatches(std::vector<Entry>& entries, const OverlayInput& input, const TOverlayOptions& options)
 {
-    const auto add = [&](const char* text, std::vector<Rgb> colors) {
+    const auto add = [&](const char* text, const std::vector<Rgb>& colors) {
         entries.push_back(
             {text, [colors](Canvas& c, const Vector2d& a, const Vector2d& b) { swatch(c, a, b, colors); }});
     };
@@ -134,8 +134,8 @@ double stripHeight(const OverlayInput& input, const TOverlayOptions& options, co
     if (options.legend) entries += legendEntries(input, options, layout.unit).size();
     if (entries == 0) return 0;
     const auto columns = static_cast<std::size_t>(columnsOf(pictureWidth_px, layout));
-    const auto rows = static_cast<double>((entries - 1) / columns + 1);
-    return std::ceil((kRow * rows + kMargin) * layout.unit);
+    const std::size_t rows = (entries - 1) / columns + 1;
+    return std::ceil((kRow * static_cast<double>(rows) + kMargin) * layout.unit);
 }
 
 void drawStrip(Canvas& canvas, const OverlayInput& input, const TOverlayOptions& options,
@@ -145,9 +145,10 @@ void drawStrip(Canvas& canvas, const OverlayInput& input, const TOverlayOptions&
     const int columns = columnsOf(pictureWidth_px, layout);
     int slot = 0;
     const auto nextSlot = [&] {
-        const double x = (kMargin + kColumn * (slot % columns)) * unit;
-        const double y = layout.mapHeight + (kMargin / 2 + kRow * (slot / columns + 0.5)) * unit;
+        const int column = slot % columns, row = slot / columns;
         ++slot;
+        const double x = (kMargin + kColumn * column) * unit;
+        const double y = layout.mapHeight + (kMargin / 2 + kRow * (row + 0.5)) * unit;
         return Vector2d(x, y);
     };
     canvas.setTextSize(kText * unit, true);

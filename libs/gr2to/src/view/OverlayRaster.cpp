@@ -71,7 +71,8 @@ class BlockPool
 
     static std::size_t columns(const Layout& layout)
     {
-        return static_cast<std::size_t>((layout.window.width - 1) / layout.reduce + 1);
+        const int pixels = (layout.window.width - 1) / layout.reduce + 1;
+        return static_cast<std::size_t>(pixels);
     }
 
     void addCells(int y)

@@ -12,8 +12,9 @@ namespace
 constexpr std::size_t kDirections = 36;  // over half a turn
 constexpr double kHalfTurn_rad = 3.141592653589793;
 constexpr double kStep_cells = 0.5;
-constexpr double kTie_cells = 1.0;  // runs are known to a cell at best
-constexpr int kShift_cells = 2;     // a door's centre may lie beside a thin wall's axis by so much
+constexpr double kFarthest_cells = 1e6;  // wider than any grid; keeps an absurd reach countable
+constexpr double kTie_cells = 1.0;       // runs are known to a cell at best
+constexpr int kShift_cells = 2;          // a door's centre may lie beside a thin wall's axis by so much
 
 Eigen::Vector2d unit(double angle_rad)
 {
@@ -24,7 +25,9 @@ Eigen::Vector2d unit(double angle_rad)
 double freeRun(const ClassifiedGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& direction,
                double reach_cells)
 {
-    for (double run = 0; run <= reach_cells; run += kStep_cells) {
+    const int steps = static_cast<int>(std::min(kFarthest_cells, reach_cells) / kStep_cells);
+    for (int i = 0; i <= steps; ++i) {
+        const double run = i * kStep_cells;
         const Eigen::Vector2d p = from + run * direction;
         if (!grid.isFree({static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))}))
             return run;
