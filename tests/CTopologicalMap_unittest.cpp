@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/io/CMemoryStream.h>
-#include <mrpt/io/zip.h>
 #include <mrpt/serialization/CArchive.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "../libs/gr2to/src/mrpt/gz.h"
 #include "gr2to/base/errors.h"
 #include "gr2to/base/files.h"
 #include "gr2to/io/XmlMap.h"
@@ -33,14 +33,6 @@ std::string unpacked(const TopologicalMap& map)
     mrpt::io::CMemoryStream stream;
     mrpt::serialization::archiveFrom(stream) << CTopologicalMap(map);
     return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
-}
-
-std::string packed(const std::string& content)
-{
-    std::vector<std::uint8_t> bytes;
-    if (!mrpt::io::zip::compress_gz_data_block({content.begin(), content.end()}, bytes, 1))
-        throw std::runtime_error("cannot compress");
-    return {bytes.begin(), bytes.end()};
 }
 
 bool readOrRefuse(const std::string& bytes)
@@ -94,6 +86,12 @@ TEST(CTopologicalMap, theArchiveNamesNoTimeAndNoFile)
     EXPECT_EQ(bytes.substr(0, 8), std::string("\x1f\x8b\x08\x00\x00\x00\x00\x00", 8));
 }
 
+TEST(CTopologicalMap, theArchiveHoldsWhatMrptWouldWrite)
+{
+    const TopologicalMap map = randomTopologicalMap(15);
+    EXPECT_TRUE(decompressGz(toArchive(map), "a.gr2to", 1000000) == unpacked(map));
+}
+
 TEST(CTopologicalMap, mrptReadsTheArchiveIntoAnObject)
 {
     registerAllClasses();
@@ -129,13 +127,13 @@ TEST(CTopologicalMap, refusesOtherContents)
     EXPECT_EQ(readingMessage("<topological_map/>"),
               "a.gr2to: is not gz-compressed; an MRPT archive of a map is");
     EXPECT_EQ(readingMessage(""), "a.gr2to: is not gz-compressed; an MRPT archive of a map is");
-    EXPECT_EQ(readingMessage(packed("hello")), "a.gr2to: is gz data, but not an MRPT archive");
-    EXPECT_EQ(readingMessage(packed(header("mrpt::poses::CPose3D", 3) + "...")),
+    EXPECT_EQ(readingMessage(compressGz("hello")), "a.gr2to: is gz data, but not an MRPT archive");
+    EXPECT_EQ(readingMessage(compressGz(header("mrpt::poses::CPose3D", 3) + "...")),
               "a.gr2to: holds an object of class 'mrpt::poses::CPose3D', not gr2to::CTopologicalMap");
-    EXPECT_EQ(readingMessage(packed(header(name, 1) + content.substr(name.size() + 2))),
+    EXPECT_EQ(readingMessage(compressGz(header(name, 1) + content.substr(name.size() + 2))),
               "a.gr2to: the map is stored in version 1, this library reads up to version 0; read it with a "
               "newer gr2to");
-    EXPECT_EQ(readingMessage(packed(content + content)),
+    EXPECT_EQ(readingMessage(compressGz(content + content)),
               "a.gr2to: the archive is truncated or corrupt: the map does not end where the data do");
     EXPECT_EQ(readingMessage(toArchive(someMap()) + "tail"),
               "a.gr2to: has 4 bytes after the end of its gz data");
@@ -178,7 +176,7 @@ TEST(CTopologicalMap, survivesPrefixesOfItsContent)
     const std::string content = unpacked(randomTopologicalMap(15));
     ASSERT_GT(content.size(), 500u);
     for (std::size_t size = 0; size < content.size(); ++size)
-        EXPECT_FALSE(readOrRefuse(packed(content.substr(0, size)))) << "prefix of " << size << " bytes";
+        EXPECT_FALSE(readOrRefuse(compressGz(content.substr(0, size)))) << "prefix of " << size << " bytes";
 }
 
 TEST(CTopologicalMap, survivesMutationsOfItsContent)
@@ -193,7 +191,7 @@ TEST(CTopologicalMap, survivesMutationsOfItsContent)
             changed[std::uniform_int_distribution<std::size_t>(0, changed.size() - 1)(random)] =
                 static_cast<char>(std::uniform_int_distribution<int>(-128, 127)(random));
         SCOPED_TRACE("seed " + std::to_string(seed));
-        ++(readOrRefuse(packed(changed)) ? read : refused);
+        ++(readOrRefuse(compressGz(changed)) ? read : refused);
     }
     EXPECT_GT(read, 0);
     EXPECT_GT(refused, 0);
@@ -205,6 +203,25 @@ TEST(CTopologicalMap, aMapWithoutMeaningIsNotArchived)
     map.place(3).kind = static_cast<PlaceKind>(2);
     EXPECT_THAT(messageOf<std::invalid_argument>([&] { toArchive(map); }),
                 HasSubstr("is 2, which has no meaning"));
+}
+
+TEST(Gz, unpacksWhatItPackedWhateverTheSize)
+{
+    std::mt19937 random(1);
+    for (const std::size_t size : std::vector<std::size_t>{0, 1, 65535, 65536, 65537, 1000000}) {
+        std::string noise(size, 'a');
+        for (char& c : noise) c = static_cast<char>(std::uniform_int_distribution<int>(-128, 127)(random));
+        for (const std::string& content : {noise, std::string(size, 'a')})
+            EXPECT_TRUE(decompressGz(compressGz(content), "a.gz", size) == content) << size << " bytes";
+    }
+}
+
+TEST(Gz, refusesAContentOverTheLimit)
+{
+    const std::string bytes = compressGz(std::string(50000000, '\0'));
+    ASSERT_LT(bytes.size(), 100000u);
+    EXPECT_EQ(messageOf<InputError>([&] { decompressGz(bytes, "a.gz", 1000000); }),
+              "a.gz: unpacks to more than 1000000 bytes, more than a map may have");
 }
 
 TEST(LoadTopologicalMap, tellsXmlAndArchiveApartByContent)

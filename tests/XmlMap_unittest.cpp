@@ -131,6 +131,14 @@ TEST(XmlMap, refusesWhatIsNotWellFormedWithLineAndByte)
         EXPECT_EQ(readingMessage(broken.text()), "a.xml: " + broken.complaint) << broken.replacement;
 }
 
+TEST(XmlMap, countsTheByteOrderMarkInPositions)
+{
+    EXPECT_EQ(readingMessage("\xEF\xBB\xBF<a/>b"),
+              "a.xml: line 1 (byte 7) is not well-formed XML: there is text outside the root element");
+    EXPECT_EQ(readingMessage("\xEF\xBB\xBF\n<a></b>"),
+              "a.xml: line 2 (byte 9) is not well-formed XML: Start-end tags mismatch");
+}
+
 TEST(XmlMap, refusesToWriteWhatXmlCannotHold)
 {
     const std::string start = "the map cannot be written as XML: ";

@@ -139,7 +139,7 @@ std::vector<StrictElement> StrictElement::childElements() const
 
 std::vector<StrictElement> StrictElement::sequence(std::initializer_list<std::string_view> names) const
 {
-    const auto children = childElements();
+    auto children = childElements();
     for (const auto& child : children)
         if (!contains(names, child.name()))
             child.fail("the element is unknown; " + name() + " has " +

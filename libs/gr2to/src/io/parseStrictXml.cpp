@@ -83,6 +83,26 @@ bool isUtf8Name(std::string name)
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     return name.empty() || name == "utf-8" || name == "utf8" || name == "us-ascii";
 }
+
+/** What is wrong with a node that stands beside or is the root element; null when nothing is. */
+const char* complaintAbout(pugi::xml_node node, bool first)
+{
+    switch (node.type()) {
+        case pugi::node_element:
+            return first ? nullptr : "there is a second root element";
+        case pugi::node_doctype:
+            return "a document type declaration is not supported; remove it";
+        case pugi::node_declaration:
+            return isUtf8Name(node.attribute("encoding").value())
+                       ? nullptr
+                       : "the encoding must be UTF-8; convert the file";
+        default: {
+            const bool blank =
+                std::string_view(node.value()).find_first_not_of(" \t\r\n") == std::string_view::npos;
+            return blank ? nullptr : "there is text outside the root element";
+        }
+    }
+}
 }  // namespace
 
 pugi::xml_node parseStrictXml(pugi::xml_document& document, std::string_view text, const std::string& file)
@@ -96,24 +116,19 @@ pugi::xml_node parseStrictXml(pugi::xml_document& document, std::string_view tex
     // shows.
     const unsigned options = pugi::parse_default | pugi::parse_ws_pcdata | pugi::parse_declaration |
                              pugi::parse_doctype | pugi::parse_fragment;
-    const auto result = document.load_buffer(text.data(), text.size(), options, pugi::encoding_utf8);
-    if (!result)
-        complainer.fail(static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
-                        result.description());
+    const std::size_t start = startsWith(text, "\xEF\xBB\xBF") ? 3 : 0;
+    const auto byteOf = [start](std::ptrdiff_t offset) {
+        return start + static_cast<std::size_t>(std::max<std::ptrdiff_t>(offset, 0));
+    };
+    const auto result =
+        document.load_buffer(text.data() + start, text.size() - start, options, pugi::encoding_utf8);
+    if (!result) complainer.fail(byteOf(result.offset), result.description());
 
     pugi::xml_node root;
     for (const auto node : document.children()) {
-        const auto byte = static_cast<std::size_t>(std::max<std::ptrdiff_t>(node.offset_debug(), 0));
-        if (node.type() == pugi::node_element) {
-            if (root) complainer.fail(byte, "there is a second root element");
-            root = node;
-        } else if (node.type() == pugi::node_doctype)
-            complainer.fail(byte, "a document type declaration is not supported; remove it");
-        else if (node.type() == pugi::node_declaration) {
-            if (!isUtf8Name(node.attribute("encoding").value()))
-                complainer.fail(byte, "the encoding must be UTF-8; convert the file");
-        } else if (std::string_view(node.value()).find_first_not_of(" \t\r\n") != std::string_view::npos)
-            complainer.fail(byte, "there is text outside the root element");
+        if (const char* complaint = complaintAbout(node, !root))
+            complainer.fail(byteOf(node.offset_debug()), complaint);
+        if (node.type() == pugi::node_element) root = node;
     }
     if (!root) complainer.fail(text.size(), "there is no root element");
     return root;

@@ -21,7 +21,7 @@ bool isList(std::string_view name)
 std::string step(pugi::xml_node node)
 {
     constexpr std::size_t LONGEST = 40;
-    const std::string name = std::string(node.name()).substr(0, LONGEST);
+    std::string name = std::string(node.name()).substr(0, LONGEST);
     if (!isList(node.parent().name())) return name;
     const std::string_view id = node.attribute("id").value();
     const bool hasId = name == "place" || name == "connection";
@@ -37,7 +37,7 @@ std::string xmlPath(pugi::xml_node node)
     std::string path = step(node);
     for (node = node.parent(); node.parent() && node.parent().type() != pugi::node_document;
          node = node.parent())
-        path = step(node) + "/" + path;
+        path.insert(0, step(node) + "/");
     return path;
 }
 }  // namespace gr2to

@@ -24,7 +24,8 @@ void TopologicalMap::addPlace(Place place)
 {
     const PlaceId id = place.id;
     if (id == 0) throw std::invalid_argument("a place has id 0; ids start at 1");
-    if (!m_places.try_emplace(id, std::move(place)).second)
+    const bool fresh = m_places.emplace(id, std::move(place)).second;
+    if (!fresh)
         throw std::invalid_argument("place " + std::to_string(id) + ": the id is taken; ids must be unique");
 }
 
