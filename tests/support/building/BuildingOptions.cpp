@@ -13,6 +13,8 @@ namespace
 {
 /** Walls thinner than this many cells leak through the corners of cells once they are turned. */
 constexpr double kThinnestWall_cells = 1.5;
+/** Sums of decimal lengths are off by less [m]. */
+constexpr double kRounding_m = 1e-9;
 
 void require(bool holds, const std::string& name, double value, const std::string& rule)
 {
@@ -77,18 +79,19 @@ void TBuildingOptions::checkRules() const
             "must not exceed door_max_width = " + metres(door_max_width));
     require(room_min_size <= room_max_size, "room_min_size", room_min_size,
             "must not exceed room_max_size = " + metres(room_max_size));
-    require(room_min_size >= doorSpace, "room_min_size", room_min_size,
+    require(room_min_size >= doorSpace - kRounding_m, "room_min_size", room_min_size,
             "leaves no wall for a door; it must be at least " + metres(doorSpace));
-    require(corridor_width >= door_max_width + 2 * kJamb_m, "corridor_width", corridor_width,
+    require(corridor_width >= door_max_width + 2 * kJamb_m - kRounding_m, "corridor_width", corridor_width,
             "must be at least " + metres(door_max_width + 2 * kJamb_m) + ", the widest door and its jambs");
-    require(wall_thickness >= kThinnestWall_cells * resolution, "wall_thickness", wall_thickness,
+    require(wall_thickness >= kThinnestWall_cells * resolution - kRounding_m, "wall_thickness",
+            wall_thickness,
             "must be at least 1.5 cells of " + metres(resolution) + ", or walls leak when they are turned");
     require(outer_wall_thickness >= wall_thickness, "outer_wall_thickness", outer_wall_thickness,
             "must be at least wall_thickness = " + metres(wall_thickness));
 
     const double shorter = std::min(width, height);
     const double needed = layout == "ring" ? 2 * corridor + 3 * room_min_size : corridor + 2 * room_min_size;
-    require(shorter >= needed, width < height ? "width" : "height", shorter,
+    require(shorter >= needed - kRounding_m, width < height ? "width" : "height", shorter,
             "is too small for the corridor with rooms on both sides; it must be at least " + metres(needed));
     const double cells =
         (width * tiles_x + 2 * margin) * (height * tiles_y + 2 * margin) / (resolution * resolution);

@@ -55,10 +55,13 @@ class TileLayout
         const double shorter = std::min(tile.width(), tile.height());
         std::vector<std::string> fitting;
         if (shorter <= m_corridor + 2 * kDeepest * m_o.room_max_size) fitting.push_back("straight");
-        if (shorter >= m_corridor + 1.6 * m_o.room_max_size) fitting.insert(fitting.end(), {"l", "t"});
-        if (shorter >= m_corridor + 2.5 * m_o.room_max_size) fitting.push_back("cross");
         if (shorter >= 2 * m_corridor + 2.4 * m_o.room_max_size)
             fitting.insert(fitting.end(), {"ring", "ring"});
+        // wings that leave no yard are deep blocks of rooms behind rooms: only where nothing else fits
+        const bool wings = !m_closed || fitting.empty();
+        if (wings && shorter >= m_corridor + 1.6 * m_o.room_max_size)
+            fitting.insert(fitting.end(), {"l", "t"});
+        if (wings && shorter >= m_corridor + 2.5 * m_o.room_max_size) fitting.push_back("cross");
         if (fitting.empty()) return "straight";
         return fitting[static_cast<std::size_t>(m_random.integer(0, static_cast<int>(fitting.size()) - 1))];
     }
@@ -184,9 +187,10 @@ class TileLayout
         stripAlongY({0, low, left, h}, false);
         if (left == w) return;
         const Rect rest{left, low, w, h};
+        const double narrow = std::min(rest.width(), rest.height());
         const bool yard =
-            !m_closed && std::min(rest.width(), rest.height()) >= kYard_m && m_random.chance(0.8);
-        if (yard) return;
+            narrow > kDeepest * m_o.room_max_size || (narrow >= kYard_m && m_random.chance(0.6));
+        if (yard && !m_closed) return;
         if (rest.width() > rest.height())
             stripAlongX(rest, false);
         else

@@ -84,6 +84,22 @@ void openDoor(Painter& painter, const PlanDoor& door, double thickness)
     painter.fill(low, CellState::Free, idOf(door.wall.low));
     painter.fill(high, CellState::Free, idOf(door.wall.high));
 }
+
+/** Sampling a turned corner leaves single free cells that touch the floor by their corners only: part of the
+ * wall. */
+void sealPockets(RasterisedPlan& raster)
+{
+    auto& grid = raster.grid;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        if (grid[i] != CellState::Free) continue;
+        const Cell c = grid.cell(i);
+        if (grid.isFree({c.x + 1, c.y}) || grid.isFree({c.x - 1, c.y}) || grid.isFree({c.x, c.y + 1}) ||
+            grid.isFree({c.x, c.y - 1}))
+            continue;
+        grid[i] = CellState::Occupied;
+        raster.labels.ids[i] = 0;
+    }
+}
 }  // namespace
 
 BuildingPose::BuildingPose(const FloorPlan& plan, const TBuildingOptions& options)
@@ -127,6 +143,7 @@ RasterisedPlan rasterise(const FloorPlan& plan, const BuildingPose& pose, const 
     for (const auto& door : plan.doors)
         if (!door.closed) openDoor(painter, door, options.wall_thickness);
     for (const auto& solid : plan.furniture) painter.fill(solid, CellState::Occupied, 0);
+    sealPockets(raster);
     return raster;
 }
 }  // namespace gr2to::test
