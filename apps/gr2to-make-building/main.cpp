@@ -1,9 +1,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "gr2to/base/errors.h"
@@ -22,9 +24,10 @@ enum ExitCode
 
 struct Arguments
 {
-    std::map<std::string, std::string> options;  //!< values as typed, by the field's name
+    std::map<std::string, std::optional<std::string>> options;  //!< values as typed, by the field's name
     std::string folder = ".";
     std::string name = "building";
+    std::optional<std::string> image;
 };
 
 /** `corridor_width` is `--corridor-width` on the command line. */
@@ -47,6 +50,8 @@ void declare(CLI::App& app, Arguments& arguments)
     app.add_option("-o,--output", arguments.folder, "Folder to write into; made when missing [default: here]")
         ->type_name("DIR");
     app.add_option("--name", arguments.name, "Base name of the files [default: building]")->type_name("NAME");
+    app.add_option("--image", arguments.image, "Name of the grid's image [default: NAME.clean.png]")
+        ->type_name("FILE");
     gr2to::test::TBuildingOptions defaults;
     for (const auto& field : defaults.fields())
         app.add_option(flagOf(field.name), arguments.options[field.name], helpOf(field))->type_name("VALUE");
@@ -61,22 +66,34 @@ gr2to::test::TBuildingOptions optionsFrom(const Arguments& arguments)
 {
     gr2to::test::TBuildingOptions options;
     for (const auto& [name, text] : arguments.options)
-        if (!text.empty()) options.set(name, text);
+        if (text) options.set(name, *text);
     return options;
+}
+
+/** The name becomes part of paths, of YAML and of JSON. */
+void requirePlain(const std::string& option, const std::string& name)
+{
+    const auto plain = [](unsigned char c) {
+        return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+    };
+    if (name.empty() || name.front() == '.' || !std::all_of(name.begin(), name.end(), plain))
+        throw gr2to::InputError(
+            option + " '" + name +
+            "' must be a file name of letters, digits, '_', '-' and '.'; the folder goes to -o");
 }
 
 void run(const Arguments& arguments)
 {
     const std::filesystem::path folder = arguments.folder;
     const std::string& name = arguments.name;
-    if (name.empty() || name.find_first_of("/\\\"\n") != std::string::npos)
-        throw gr2to::InputError("--name '" + name +
-                                "' must be a plain file name without folders or quotes; use -o");
+    const std::string image = arguments.image.value_or(name + ".clean.png");
+    requirePlain("--name", name);
+    requirePlain("--image", image);
     const auto building = gr2to::test::generateBuilding(optionsFrom(arguments));
     gr2to::OutputTransaction files;
-    files.write(folder / (name + ".clean.png"), gr2to::encodePng8(building.grid));
+    files.write(folder / image, gr2to::encodePng8(building.grid));
     files.write(folder / (name + ".gt_labels.png"), gr2to::encodePng16(building.labels));
-    files.write(folder / (name + ".yaml"), gr2to::test::mapServerYaml(building.grid, name + ".clean.png"));
+    files.write(folder / (name + ".yaml"), gr2to::test::mapServerYaml(building.grid, image));
     files.write(folder / (name + ".gt.json"), gr2to::test::annotationJson(building, name));
     files.commit();
     std::cout << (folder / name).string() << ": " << building.grid.width() << " x " << building.grid.height()

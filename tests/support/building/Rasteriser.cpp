@@ -85,19 +85,37 @@ void openDoor(Painter& painter, const PlanDoor& door, double thickness)
     painter.fill(high, CellState::Free, idOf(door.wall.high));
 }
 
-/** Sampling a turned corner leaves single free cells that touch the floor by their corners only: part of the
- * wall. */
+/** Largest group of free cells that only sampling can have cut off. */
+constexpr std::size_t kPocket_cells = 12;
+
+/** The free cells connected to `start` by their sides; stops once they are more than a pocket. */
+std::vector<Cell> groupOf(const ClassifiedGrid& grid, Cell start)
+{
+    std::vector<Cell> group{start};
+    for (std::size_t i = 0; i < group.size() && group.size() <= kPocket_cells; ++i) {
+        const Cell c = group[i];
+        for (const Cell n : {Cell{c.x + 1, c.y}, Cell{c.x - 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x, c.y - 1}})
+            if (grid.isFree(n) && std::find(group.begin(), group.end(), n) == group.end()) group.push_back(n);
+    }
+    return group;
+}
+
+/** Sampling turned corners leaves free cells that touch the floor by their corners only: they become wall. */
 void sealPockets(RasterisedPlan& raster)
 {
     auto& grid = raster.grid;
     for (std::size_t i = 0; i < grid.size(); ++i) {
         if (grid[i] != CellState::Free) continue;
         const Cell c = grid.cell(i);
-        if (grid.isFree({c.x + 1, c.y}) || grid.isFree({c.x - 1, c.y}) || grid.isFree({c.x, c.y + 1}) ||
-            grid.isFree({c.x, c.y - 1}))
-            continue;
-        grid[i] = CellState::Occupied;
-        raster.labels.ids[i] = 0;
+        const int ways = (grid.isFree({c.x + 1, c.y}) ? 1 : 0) + (grid.isFree({c.x - 1, c.y}) ? 1 : 0) +
+                         (grid.isFree({c.x, c.y + 1}) ? 1 : 0) + (grid.isFree({c.x, c.y - 1}) ? 1 : 0);
+        if (ways > 2) continue;  // a pocket has an end or a corner
+        const auto group = groupOf(grid, c);
+        if (group.size() > kPocket_cells) continue;
+        for (const Cell pocket : group) {
+            grid.set(pocket, CellState::Occupied);
+            raster.labels.ids[grid.index(pocket)] = 0;
+        }
     }
 }
 }  // namespace
