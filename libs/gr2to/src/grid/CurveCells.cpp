@@ -1,8 +1,6 @@
 #include "gr2to/grid/CurveCells.h"
 
 #include <algorithm>
-#include <queue>
-#include <tuple>
 
 namespace gr2to
 {
@@ -62,21 +60,32 @@ std::vector<int> CurveCells::parts(const std::vector<bool>& blocked, int* count)
 std::vector<int> CurveCells::growCircles(const std::vector<Circle>& circles,
                                          const std::vector<bool>& blocked) const
 {
-    using Entry =
-        std::tuple<double, std::size_t, int>;  // cost, cell, circle: ties go to the first cell and circle
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    struct Entry
+    {
+        double cost;
+        std::size_t cell;
+        int circle;
+    };
+    std::vector<Entry> starts;
     for (std::size_t c = 0; c < circles.size(); ++c)
         if (const int i = find(circles[c].center); i >= 0)
-            queue.emplace(-circles[c].radius_cells, static_cast<std::size_t>(i), static_cast<int>(c));
+            starts.push_back({-circles[c].radius_cells, static_cast<std::size_t>(i), static_cast<int>(c)});
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Entry& a, const Entry& b) { return a.cost < b.cost; });
+    // Every step costs 1, so what is queued comes in rising order of cost: two sorted lists replace a heap.
     std::vector<int> owner(size(), none());
-    while (!queue.empty()) {
-        const auto [cost, i, circle] = queue.top();
-        queue.pop();
-        if (owner[i] != none() || blocked[i]) continue;
-        owner[i] = circle;
-        for (const int n : m_neighbours[i])
+    std::vector<Entry> queue;
+    std::size_t nextStart = 0, nextQueued = 0;
+    while (nextStart < starts.size() || nextQueued < queue.size()) {
+        const bool takeStart =
+            nextQueued == queue.size() ||
+            (nextStart < starts.size() && starts[nextStart].cost <= queue[nextQueued].cost);
+        const Entry entry = takeStart ? starts[nextStart++] : queue[nextQueued++];
+        if (owner[entry.cell] != none() || blocked[entry.cell]) continue;
+        owner[entry.cell] = entry.circle;
+        for (const int n : m_neighbours[entry.cell])
             if (n >= 0 && owner[static_cast<std::size_t>(n)] == none())
-                queue.emplace(cost + 1.0, static_cast<std::size_t>(n), circle);
+                queue.push_back({entry.cost + 1.0, static_cast<std::size_t>(n), entry.circle});
     }
     return owner;
 }

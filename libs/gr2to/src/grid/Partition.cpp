@@ -151,24 +151,76 @@ std::vector<std::size_t> rimOfLabels(const ClassifiedGrid& grid, const PlaceImag
     return rim;
 }
 
-/** Gives unlabelled free cells the label that is nearest in a straight line. */
-void fillUnreached(const ClassifiedGrid& grid, PlaceImage& image)
+/** Gives free cells that no label reaches the label that is nearest in a straight line, one for each patch of
+ * them. */
+class PatchFiller
 {
-    const auto isUnreached = [&](std::size_t i) { return grid[i] == CellState::Free && image.ids[i] == 0; };
-    bool any = false;
-    for (std::size_t i = 0; i < grid.size() && !any; ++i) any = isUnreached(i);
-    if (!any) return;
-    ClassifiedGrid seeds(grid.width(), grid.height(), grid.frame());
-    for (std::size_t i = 0; i < grid.size(); ++i)
-        if (grid[i] == CellState::Free) seeds[i] = image.ids[i] ? CellState::Occupied : CellState::Free;
-    DistanceMap distances;
-    measureDistances(seeds, Obstacles::Occupied, distances, [&](int y, const std::uint32_t* nearest) {
-        const std::size_t row = grid.index({0, y});
-        for (std::size_t x = 0; x < static_cast<std::size_t>(grid.width()); ++x)
-            if (seeds[row + x] == CellState::Free && distances.squared[row + x] != DistanceMap::unreachable())
-                image.ids[row + x] = image.at(unpackCell(nearest[x]));
-    });
-}
+ public:
+    PatchFiller(const ClassifiedGrid& grid, PlaceImage& image)
+        : m_grid(grid), m_image(image), m_budget(grid.size() / 2)
+    {
+    }
+
+    void fill()
+    {
+        for (std::size_t i = 0; i < m_grid.size(); ++i) {
+            if (m_grid[i] != CellState::Free || m_image.ids[i] != 0) continue;
+            const PlaceId nearest = nearestLabel(m_grid.cell(i));
+            if (nearest == 0) return fillAllAtOnce();
+            m_image.ids[i] = nearest;
+            spread(m_grid, m_image, {i});
+        }
+    }
+
+ private:
+    /** Searches square rings around a cell; 0 when there is no label or the budget of looks is spent. */
+    PlaceId nearestLabel(Cell center)
+    {
+        PlaceId best = 0;
+        std::int64_t bestSquared = INT64_MAX;
+        const auto look = [&](Cell c) {
+            if (!m_grid.contains(c) || m_image.at(c) == 0) return;
+            const std::int64_t dx = c.x - center.x, dy = c.y - center.y;
+            if (dx * dx + dy * dy >= bestSquared) return;
+            bestSquared = dx * dx + dy * dy;
+            best = m_image.at(c);
+        };
+        const int farthest = std::max(m_grid.width(), m_grid.height());
+        for (int r = 1; r <= farthest && std::int64_t{r} * r < bestSquared; ++r) {
+            const auto looks = static_cast<std::size_t>(8 * r);
+            if (looks > m_budget) return 0;
+            m_budget -= looks;
+            for (int k = -r; k < r; ++k) {
+                look({center.x + k, center.y - r});
+                look({center.x + r, center.y + k});
+                look({center.x - k, center.y + r});
+                look({center.x - r, center.y - k});
+            }
+        }
+        return best;
+    }
+
+    /** For far-off patches, linear in the number of cells however many there are. */
+    void fillAllAtOnce()
+    {
+        ClassifiedGrid seeds(m_grid.width(), m_grid.height(), m_grid.frame());
+        for (std::size_t i = 0; i < m_grid.size(); ++i)
+            if (m_grid[i] == CellState::Free)
+                seeds[i] = m_image.ids[i] ? CellState::Occupied : CellState::Free;
+        DistanceMap distances;
+        measureDistances(seeds, Obstacles::Occupied, distances, [&](int y, const std::uint32_t* nearest) {
+            const std::size_t row = m_grid.index({0, y});
+            for (std::size_t x = 0; x < static_cast<std::size_t>(m_grid.width()); ++x)
+                if (seeds[row + x] == CellState::Free &&
+                    distances.squared[row + x] != DistanceMap::unreachable())
+                    m_image.ids[row + x] = m_image.at(unpackCell(nearest[x]));
+        });
+    }
+
+    const ClassifiedGrid& m_grid;
+    PlaceImage& m_image;
+    std::size_t m_budget;  //!< cells that may still be looked at, so that the search stays linear
+};
 }  // namespace
 
 PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
@@ -194,7 +246,7 @@ PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
         }
     spread(grid, image, std::move(front));
     spread(grid, image, rimOfLabels(grid, image));
-    fillUnreached(grid, image);
+    PatchFiller(grid, image).fill();
     return image;
 }
 }  // namespace gr2to

@@ -238,7 +238,8 @@ class Thinner
             const std::uint8_t around = ring(i);
             if (!m_simple[around] || keep(around)) continue;
             m_cells[i] = 0;
-            for (const std::ptrdiff_t step : m_steps) {
+            for (unsigned left = around; left != 0; left &= left - 1) {
+                const std::ptrdiff_t step = m_steps[static_cast<unsigned>(__builtin_ctz(left))];
                 const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + step);
                 if ((m_cells[j] & kStateBits) == kFigure)
                     enqueue(j, j < first ? b - 1 : j < last ? b : b + 1);
@@ -275,7 +276,6 @@ SeparationFinder::SeparationFinder(const ClassifiedGrid& grid, double minSeparat
 
 bool SeparationFinder::separated(std::uint32_t a, std::uint32_t b) const
 {
-    if (a == b) return false;
     const Cell p = unpackCell(a), q = unpackCell(b);
     const std::int64_t dx = p.x - q.x, dy = p.y - q.y;
     return dx * dx + dy * dy >= m_minSquared;
@@ -288,9 +288,11 @@ void SeparationFinder::addRow(int y, const std::int32_t* squared, const std::uin
     const std::size_t width = m_current.size();
     for (std::size_t x = 0; x < width; ++x) {
         if (row[x] != CellState::Free) continue;
-        if (rowBelow && rowBelow[x] == CellState::Free && separated(nearest[x], m_nearestBelow[x]))
+        if (rowBelow && rowBelow[x] == CellState::Free && nearest[x] != m_nearestBelow[x] &&
+            separated(nearest[x], m_nearestBelow[x]))
             (squared[x] > m_squaredBelow[x] ? m_current : m_below)[x] = 1;
-        if (x + 1 < width && row[x + 1] == CellState::Free && separated(nearest[x], nearest[x + 1]))
+        if (x + 1 < width && row[x + 1] == CellState::Free && nearest[x] != nearest[x + 1] &&
+            separated(nearest[x], nearest[x + 1]))
             m_current[squared[x + 1] > squared[x] ? x + 1 : x] = 1;
     }
     finishRow(y - 1);

@@ -117,8 +117,8 @@ void checkSize(const PngDecoder& png, const fs::path& path, std::size_t fileByte
     const std::string size = std::to_string(png.width()) + " x " + std::to_string(png.height());
     const std::size_t longest = ClassifiedGrid::maxSide();
     if (png.width() > longest || png.height() > longest)
-        throw InputError("'" + path.string() + "' has " + size + " pixels; at most " + std::to_string(longest) +
-                         " a side are supported");
+        throw InputError("'" + path.string() + "' has " + size + " pixels; at most " +
+                         std::to_string(longest) + " a side are supported");
     if (png.rowBytes() * png.height() > fileBytes * kMostPacked)
         throw InputError("'" + path.string() + "' is too short for its " + size + " pixels; it is damaged");
 }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
-#include <unordered_map>
+#include <utility>
 
 namespace gr2to
 {
@@ -103,117 +104,108 @@ class LikelyCells
     std::int32_t m_maxSquared;  //!< cells with at least this are too wide
 };
 
-/** Groups points whose chains of steps are closer than a radius, through square buckets. */
+/** Groups cells that chains of steps shorter than a radius join, through square buckets. */
 class Linker
 {
  public:
-    Linker(const std::vector<Cell>& cells, double radius)
+    Linker(const std::vector<Cell>& cells, double radius, int width, int height)
         : m_cells(cells),
           m_squaredRadius(radius * radius),
           m_side(std::max(1, static_cast<int>(std::floor(radius / std::sqrt(2.0))))),
           m_reach(static_cast<int>(std::ceil(radius / m_side))),
+          m_columns(width / m_side + 1),
+          m_rows(height / m_side + 1),
+          m_first(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows), -1),
+          m_next(cells.size(), -1),
           m_parent(cells.size())
     {
-        std::iota(m_parent.begin(), m_parent.end(), std::size_t{0});
-        for (std::size_t i = 0; i < cells.size(); ++i) m_buckets[key(cells[i])].push_back(i);
+        std::iota(m_parent.begin(), m_parent.end(), 0);
+        for (std::size_t i = cells.size(); i-- > 0;) {
+            int& first = m_first[bucket(cells[i].x / m_side, cells[i].y / m_side)];
+            m_next[i] = std::exchange(first, static_cast<int>(i));
+        }
     }
 
     std::vector<std::vector<std::size_t>> groups()
     {
-        for (std::size_t i = 0; i < m_cells.size(); ++i)
-            if (const auto& bucket = m_buckets.at(key(m_cells[i])); bucket.front() == i) linkBucket(bucket);
-        std::unordered_map<std::size_t, std::size_t> numberOf;
+        for (std::size_t i = 0; i < m_cells.size(); ++i) {
+            const Cell at{m_cells[i].x / m_side, m_cells[i].y / m_side};
+            if (m_first[bucket(at.x, at.y)] == static_cast<int>(i)) linkBucket(at);
+        }
+        std::vector<int> numberOf(m_cells.size(), -1);
         std::vector<std::vector<std::size_t>> result;
         for (std::size_t i = 0; i < m_cells.size(); ++i) {
-            const auto [entry, isNew] = numberOf.emplace(find(i), result.size());
-            if (isNew) result.emplace_back();
-            result[entry->second].push_back(i);
+            int& number = numberOf[index(find(static_cast<int>(i)))];
+            if (number < 0) {
+                number = static_cast<int>(result.size());
+                result.emplace_back();
+            }
+            result[index(number)].push_back(i);
         }
         return result;
     }
 
  private:
-    std::int64_t key(int bucketX, int bucketY) const
-    {
-        return std::int64_t{bucketY} * (std::int64_t{1} << 32) + bucketX;
-    }
-    std::int64_t key(Cell c) const { return key(c.x / m_side, c.y / m_side); }
+    static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+    std::size_t bucket(int x, int y) const { return index(y) * index(m_columns) + index(x); }
+    const Cell& cell(int i) const { return m_cells[index(i)]; }
 
-    struct Box
+    int find(int i)
     {
-        int left, right, bottom, top;
-
-        double squaredDistance(Cell c) const
-        {
-            const double dx = std::max({left - c.x, 0, c.x - right}),
-                         dy = std::max({bottom - c.y, 0, c.y - top});
-            return dx * dx + dy * dy;
-        }
-    };
-
-    Box boxOf(const std::vector<std::size_t>& bucket) const
-    {
-        const Cell first = m_cells[bucket.front()];
-        Box box{first.x, first.x, first.y, first.y};
-        for (const std::size_t i : bucket) {
-            box.left = std::min(box.left, m_cells[i].x);
-            box.right = std::max(box.right, m_cells[i].x);
-            box.top = std::max(box.top, m_cells[i].y);
-        }
-        return box;
-    }
-
-    std::size_t find(std::size_t i)
-    {
-        while (m_parent[i] != i) i = m_parent[i] = m_parent[m_parent[i]];
+        while (m_parent[index(i)] != i) i = m_parent[index(i)] = m_parent[index(m_parent[index(i)])];
         return i;
     }
 
-    bool close(std::size_t i, std::size_t j) const
-    {
-        const double dx = m_cells[i].x - m_cells[j].x, dy = m_cells[i].y - m_cells[j].y;
-        return dx * dx + dy * dy < m_squaredRadius;
-    }
-
-    void linkBucket(const std::vector<std::size_t>& bucket)
-    {
-        const Cell at{m_cells[bucket.front()].x / m_side, m_cells[bucket.front()].y / m_side};
-        for (int dy = 0; dy <= m_reach; ++dy)
-            for (int dx = dy == 0 ? 0 : -m_reach; dx <= m_reach; ++dx) {
-                const auto other = m_buckets.find(key(at.x + dx, at.y + dy));
-                if (other != m_buckets.end()) linkPair(bucket, other->second);
-            }
-    }
-
-    /** The cells of one bucket are all close to one another, so one close pair links two buckets whole. */
-    void linkPair(const std::vector<std::size_t>& a, const std::vector<std::size_t>& b)
-    {
-        if (&a == &b) {
-            for (const std::size_t i : a) unite(a.front(), i);
-            return;
-        }
-        if (find(a.front()) == find(b.front())) return;
-        const Box box = boxOf(b);
-        for (const std::size_t i : a) {
-            if (box.squaredDistance(m_cells[i]) >= m_squaredRadius) continue;
-            for (const std::size_t j : b)
-                if (close(i, j)) return unite(i, j);
-        }
-    }
-
-    void unite(std::size_t i, std::size_t j)
+    void unite(int i, int j)
     {
         i = find(i);
         j = find(j);
-        m_parent[std::max(i, j)] = std::min(i, j);
+        m_parent[index(std::max(i, j))] = std::min(i, j);
+    }
+
+    bool close(Cell a, Cell b) const
+    {
+        const double dx = a.x - b.x, dy = a.y - b.y;
+        return dx * dx + dy * dy < m_squaredRadius;
+    }
+
+    /** The cells of one bucket are all close to one another. */
+    void linkBucket(Cell at)
+    {
+        const int first = m_first[bucket(at.x, at.y)];
+        for (int i = m_next[index(first)]; i >= 0; i = m_next[index(i)]) m_parent[index(i)] = find(first);
+        for (int dy = -m_reach; dy <= 0; ++dy)
+            for (int dx = -m_reach; dx <= (dy == 0 ? -1 : m_reach); ++dx) {
+                const Cell other{at.x + dx, at.y + dy};
+                if (other.x < 0 || other.y < 0 || other.x >= m_columns) continue;
+                const int there = m_first[bucket(other.x, other.y)];
+                if (there >= 0 && find(there) != find(first)) linkPair(first, there, other);
+            }
+    }
+
+    /** One close pair links two buckets whole. */
+    void linkPair(int a, int b, Cell bucketOfB)
+    {
+        const int left = bucketOfB.x * m_side, bottom = bucketOfB.y * m_side;
+        for (int i = a; i >= 0; i = m_next[index(i)]) {
+            const Cell c = cell(i);
+            const Cell nearest{std::clamp(c.x, left, left + m_side - 1),
+                               std::clamp(c.y, bottom, bottom + m_side - 1)};
+            if (!close(c, nearest)) continue;
+            for (int j = b; j >= 0; j = m_next[index(j)])
+                if (close(c, cell(j))) return unite(i, j);
+        }
     }
 
     const std::vector<Cell>& m_cells;
     double m_squaredRadius;
     int m_side;
     int m_reach;
-    std::vector<std::size_t> m_parent;
-    std::unordered_map<std::int64_t, std::vector<std::size_t>> m_buckets;
+    int m_columns;
+    int m_rows;
+    std::vector<int> m_first;  //!< first cell of each bucket, -1 for none
+    std::vector<int> m_next;   //!< next cell of the same bucket
+    std::vector<int> m_parent;
 };
 
 DoorCandidate makeCandidate(const std::vector<Cell>& cells, const std::vector<std::size_t>& members)
@@ -227,9 +219,15 @@ DoorCandidate makeCandidate(const std::vector<Cell>& cells, const std::vector<st
     }
     meanX /= static_cast<double>(members.size());
     meanY /= static_cast<double>(members.size());
-    const auto distance = [&](Cell c) { return std::hypot(c.x - meanX, c.y - meanY); };
-    candidate.center = *std::min_element(candidate.cells.begin(), candidate.cells.end(),
-                                         [&](Cell a, Cell b) { return distance(a) < distance(b); });
+    const auto squared = [&](Cell c) {
+        return (c.x - meanX) * (c.x - meanX) + (c.y - meanY) * (c.y - meanY);
+    };
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Cell c : candidate.cells)
+        if (squared(c) < nearest) {
+            nearest = squared(c);
+            candidate.center = c;
+        }
     return candidate;
 }
 }  // namespace
@@ -259,7 +257,7 @@ std::vector<DoorCandidate> DoorDetector::detect(const ClassifiedGrid& grid,
     const double maxClearance = m_options.max_width / (2 * grid.resolution_m());
     const std::vector<Cell> likely = LikelyCells(distances, minClearance, maxClearance).find();
     std::vector<DoorCandidate> candidates;
-    for (const auto& group : Linker(likely, minClearance).groups())
+    for (const auto& group : Linker(likely, minClearance, grid.width(), grid.height()).groups())
         candidates.push_back(makeCandidate(likely, group));
     return candidates;
 }

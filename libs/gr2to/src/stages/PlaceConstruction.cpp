@@ -18,34 +18,60 @@ bool rasterLess(Cell a, Cell b)
     return a.y != b.y ? a.y < b.y : a.x < b.x;
 }
 
-/** Index of the narrowest critical point close to each candidate's cells; -1 where there is none. */
-std::vector<int> supportOf(const std::vector<DoorCandidate>& candidates,
-                           const std::vector<CriticalPoint>& points, double radius)
+/** Finds the critical points that support door candidates, through square buckets of points. */
+class SupportFinder
 {
-    const int side = std::max(1, static_cast<int>(std::ceil(radius)));
-    const auto key = [](int x, int y) { return std::int64_t{y} * (std::int64_t{1} << 32) + x; };
-    std::unordered_map<std::int64_t, std::vector<int>> buckets;
-    for (std::size_t p = 0; p < points.size(); ++p)
-        buckets[key(points[p].cell.x / side, points[p].cell.y / side)].push_back(static_cast<int>(p));
-    std::vector<int> support(candidates.size(), -1);
-    const auto consider = [&](int p, Cell likely, int& best) {
-        const CriticalPoint& point = points[static_cast<std::size_t>(p)];
-        if (distance_cells(point.cell, likely) > radius || p == best) return;
-        if (best >= 0) {
-            const double narrowest = points[static_cast<std::size_t>(best)].clearance_cells;
-            if (point.clearance_cells > narrowest || (point.clearance_cells == narrowest && p > best)) return;
+ public:
+    SupportFinder(const std::vector<CriticalPoint>& points, double radius)
+        : m_points(points), m_radius(radius), m_side(std::max(1, static_cast<int>(std::ceil(radius))))
+    {
+        for (std::size_t p = 0; p < points.size(); ++p)
+            m_buckets[key(points[p].cell.x / m_side, points[p].cell.y / m_side)].push_back(p);
+    }
+
+    /** Index of the narrowest point within the radius of one of the candidate's cells, of equals the first;
+     * or -1. */
+    int supportOf(const DoorCandidate& candidate) const
+    {
+        int left = candidate.center.x, right = left, bottom = candidate.center.y, top = bottom;
+        for (const Cell c : candidate.cells) {
+            left = std::min(left, c.x);
+            right = std::max(right, c.x);
+            bottom = std::min(bottom, c.y);
+            top = std::max(top, c.y);
         }
-        best = p;
-    };
-    for (std::size_t c = 0; c < candidates.size(); ++c)
-        for (const Cell likely : candidates[c].cells)
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx)
-                    if (const auto at = buckets.find(key(likely.x / side + dx, likely.y / side + dy));
-                        at != buckets.end())
-                        for (const int p : at->second) consider(p, likely, support[c]);
-    return support;
-}
+        int best = -1;
+        for (int y = bottom / m_side - 1; y <= top / m_side + 1; ++y)
+            for (int x = left / m_side - 1; x <= right / m_side + 1; ++x)
+                if (const auto at = m_buckets.find(key(x, y)); at != m_buckets.end())
+                    for (const std::size_t p : at->second)
+                        if (isBetter(p, best) && isClose(m_points[p].cell, candidate))
+                            best = static_cast<int>(p);
+        return best;
+    }
+
+ private:
+    static std::int64_t key(int x, int y) { return std::int64_t{y} * (std::int64_t{1} << 32) + x; }
+
+    bool isBetter(std::size_t p, int best) const
+    {
+        if (best < 0) return true;
+        const double here = m_points[p].clearance_cells,
+                     there = m_points[static_cast<std::size_t>(best)].clearance_cells;
+        return here != there ? here < there : static_cast<int>(p) < best;
+    }
+
+    bool isClose(Cell point, const DoorCandidate& candidate) const
+    {
+        return std::any_of(candidate.cells.begin(), candidate.cells.end(),
+                           [&](Cell c) { return distance_cells(point, c) <= m_radius; });
+    }
+
+    const std::vector<CriticalPoint>& m_points;
+    double m_radius;
+    int m_side;
+    std::unordered_map<std::int64_t, std::vector<std::size_t>> m_buckets;
+};
 
 /** Eq. (9): walks from big circles to small and drops those that are close to a kept one with nothing
  * narrower between. */
@@ -274,8 +300,9 @@ std::vector<ValidatedDoor> PlaceBuilder::validate(const std::vector<DoorCandidat
                                                   const ClassifiedGrid& grid, Obstacles obstacles) const
 {
     std::set<int> supporting;
-    for (const int p : supportOf(candidates, points, m_options.door_support / grid.resolution_m()))
-        if (p >= 0) supporting.insert(p);
+    const SupportFinder finder(points, m_options.door_support / grid.resolution_m());
+    for (const DoorCandidate& candidate : candidates)
+        if (const int p = finder.supportOf(candidate); p >= 0) supporting.insert(p);
     std::vector<ValidatedDoor> doors;
     for (const int p : supporting) {
         const CriticalPoint& point = points[static_cast<std::size_t>(p)];

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "gr2to/base/errors.h"
 #include "gr2to/grid/Jambs.h"
@@ -99,7 +98,11 @@ class MapMaker
                 m_borders.insert(m_borders.end(), border.line.begin(), border.line.end());
         m_result.places = partition(m_grid, m_voronoi, placeOfCell, m_borders);
         m_cellsOfPlace.assign(m_drafts.size() + 1, 0);
-        for (const PlaceId id : m_result.places.ids) ++m_cellsOfPlace[id];
+        const std::vector<PlaceId>& ids = m_result.places.ids;
+        for (std::size_t begin = 0, end = 0; begin < ids.size(); begin = end) {
+            while (end < ids.size() && ids[end] == ids[begin]) ++end;
+            m_cellsOfPlace[ids[begin]] += end - begin;
+        }
     }
 
     Place describe(const PlaceDraft& draft)
@@ -170,8 +173,8 @@ class MapMaker
     std::vector<Eigen::Vector2d> supportOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                                            double* covered) const
     {
-        const int samples = std::max(1, static_cast<int>(std::ceil(2 * (to - from).norm())));  // two a cell
-        std::set<std::size_t> support;
+        const int samples = std::max(1, static_cast<int>(std::ceil((to - from).norm())));  // one a cell
+        std::vector<std::size_t> support;
         int hits = 0;
         for (int k = 0; k <= samples; ++k) {
             const Eigen::Vector2d p = from + (to - from) * (static_cast<double>(k) / samples);
@@ -181,11 +184,13 @@ class MapMaker
                     const Cell c{roundToCell(p.x()) + dx, roundToCell(p.y()) + dy};
                     if (!m_closedGrid.isOccupied(c)) continue;
                     hit = true;
-                    support.insert(m_grid.index(c));
+                    support.push_back(m_grid.index(c));
                 }
             hits += hit ? 1 : 0;
         }
         *covered = static_cast<double>(hits) / (samples + 1);
+        std::sort(support.begin(), support.end());
+        support.erase(std::unique(support.begin(), support.end()), support.end());
         std::vector<Eigen::Vector2d> points;
         for (const std::size_t i : support) points.push_back(m_grid.frame().toMap(m_grid.cell(i)));
         return points;

@@ -17,7 +17,8 @@ struct Circle
 
 inline double distance_cells(Cell a, Cell b)
 {
-    return std::hypot(a.x - b.x, a.y - b.y);
+    const double dx = a.x - b.x, dy = a.y - b.y;
+    return std::sqrt(dx * dx + dy * dy);
 }
 
 /** Finds the circles near a place quickly; built for circles added from large to small. */
