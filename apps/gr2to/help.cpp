@@ -80,9 +80,8 @@ std::string overviewText(const Commands& commands)
            "\nOptions:\n"
            "  -h, --help    what a command does and its options: gr2to COMMAND --help\n"
            "  --version     the version\n\n"
-           "To begin: gr2to extract office.yaml -o out, then open out/overlay.svg in a browser.\n"
-           "Exit codes: " +
-           wrapped(kExitCodes, 0);
+           "To begin: gr2to extract office.yaml -o out, then open out/overlay.svg in a browser.\n" +
+           wrapped(std::string("Exit codes: ") + kExitCodes, 0);
 }
 
 std::string helpText(const Command& command, const CLI::App& app)
@@ -94,6 +93,6 @@ std::string helpText(const Command& command, const CLI::App& app)
         for (const CLI::Option* option : options)
             text += "  " + optionSyntax(*option) + "\n" + wrapped(option->get_description(), 8);
     }
-    return text + "\nExit codes: " + wrapped(kExitCodes, 0);
+    return text + "\n" + wrapped(std::string("Exit codes: ") + kExitCodes, 0);
 }
 }  // namespace gr2to::cli

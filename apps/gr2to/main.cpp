@@ -1,5 +1,6 @@
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <stdexcept>
@@ -22,6 +23,9 @@ Command& find(const Commands& commands, const std::string& name)
         if (command->name() == name) return *command;
         if (!command->hidden()) known.push_back(command->name());
     }
+    if (std::error_code ignored; std::filesystem::is_regular_file(name, ignored))
+        throw std::invalid_argument("'" + name + "' is a file, not a command; did you mean 'gr2to extract " +
+                                    name + "'?");
     if (name[0] == '-')
         throw std::invalid_argument("unknown option '" + name + "' before a command; see 'gr2to --help'");
     throw std::invalid_argument("unknown command '" + name + "'; did you mean '" + nearestWord(name, known) +

@@ -38,14 +38,18 @@ void refuseUnknown(const CLI::App& app)
                                 nearestWord(name, optionNames(app)) + "'?");
 }
 
-void refuseRepeated(const CLI::App& app)
+void refuseRepeatedOrEmpty(const CLI::App& app)
 {
-    for (const CLI::Option* option : app.get_options())
-        if (option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw &&
-            option->results().size() > 1)
-            throw std::invalid_argument(option->get_name() + " is given " +
-                                        std::to_string(option->results().size()) + " times; give it once" +
-                                        pointer(app));
+    for (const CLI::Option* option : app.get_options()) {
+        const bool isFlag = option->get_expected_max() == 0;
+        if (isFlag || option->get_multi_option_policy() != CLI::MultiOptionPolicy::Throw) continue;
+        const auto& values = option->results();
+        if (values.size() > 1)
+            throw std::invalid_argument(option->get_name() + " is given " + std::to_string(values.size()) +
+                                        " times; give it once" + pointer(app));
+        if (values.size() == 1 && values.front().empty())
+            throw std::invalid_argument(option->get_name() + " is empty; it needs a value" + pointer(app));
+    }
 }
 
 /** What is wrong in one line; CLI11 names the option first when its value lacks. */
@@ -69,10 +73,11 @@ bool parseArguments(CLI::App& app, std::vector<std::string> arguments)
         return true;
     } catch (const CLI::ParseError& error) {
         refuseUnknown(app);
-        refuseRepeated(app);
+        refuseRepeatedOrEmpty(app);
         throw std::invalid_argument(wordsOf(error) + pointer(app));
     }
     refuseUnknown(app);
+    refuseRepeatedOrEmpty(app);
     return false;
 }
 
