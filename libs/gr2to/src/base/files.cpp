@@ -38,6 +38,18 @@ class Descriptor
  private:
     int m_fd;
 };
+
+/** Permissions do not tell all: a file system may be of a kind that takes no files. */
+void tryToCreate(const fs::path& path, const fs::path& folder)
+{
+    const Descriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+    if (file.get() >= 0)
+        ::unlink(path.c_str());
+    else if (errno == ENOSPC || errno == EDQUOT)
+        throw OutputError("cannot create '" + path.string() + "': " + reason());
+    else
+        throw InputError("the output folder '" + folder.string() + "' takes no files: " + reason());
+}
 }  // namespace
 
 void writeFile(const fs::path& path, std::string_view bytes)
@@ -100,6 +112,7 @@ fs::path OutputTransaction::stage(const fs::path& target)
         throw InputError("the output folder '" + folder.string() + "' is not writable: " + reason());
     const fs::path temporary =
         folder / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
+    tryToCreate(temporary, folder);
     m_files.push_back({temporary, target});
     return temporary;
 }

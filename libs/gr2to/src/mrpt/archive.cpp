@@ -9,6 +9,8 @@
 #include "gr2to/io/XmlMap.h"
 #include "gr2to/mrpt/CTopologicalMap.h"
 #include "gz.h"
+#include "io/Gridmap.h"
+#include "io/Gzip.h"
 #include "serializeMap.h"
 
 namespace gr2to
@@ -39,6 +41,13 @@ ObjectHeader readHeader(std::string_view bytes, const std::string& name)
     if ((first & MARK) == 0 || bytes.size() < length + 2)
         throw InputError(name + ": is gz data, but not an MRPT archive");
     return {std::string(bytes.substr(1, length)), static_cast<std::uint8_t>(bytes[length + 1]), length + 2};
+}
+
+bool isXml(std::string_view bytes)
+{
+    const std::string_view text = bytes.substr(bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0);
+    const std::size_t start = text.find_first_not_of(" \t\r\n");
+    return start != std::string_view::npos && text[start] == '<';
 }
 }  // namespace
 
@@ -74,13 +83,22 @@ TopologicalMap fromArchive(std::string_view bytes, const std::string& name)
     return map;
 }
 
+bool isTopologicalMap(std::string_view bytes, const std::string& name)
+{
+    if (!isGz(bytes)) return isXml(bytes);
+    constexpr std::size_t ENOUGH_FOR_THE_CLASS = 256;
+    std::string start;
+    io::GzipReader(bytes, name).readUpTo(start, ENOUGH_FOR_THE_CLASS);
+    const auto header = io::archiveHeader(start);
+    const std::string wanted = CLASS_ID(CTopologicalMap)->className;
+    return header && header->className == wanted.substr(wanted.rfind(':') + 1);
+}
+
 TopologicalMap loadTopologicalMap(const std::filesystem::path& path)
 {
     const std::string bytes = readFile(path);
     if (isGz(bytes)) return fromArchive(bytes, path.string());
-    const std::string_view text = std::string_view(bytes).substr(bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0);
-    const std::size_t start = text.find_first_not_of(" \t\r\n");
-    if (start != std::string_view::npos && text[start] == '<') return fromXml(bytes, path.string());
+    if (isXml(bytes)) return fromXml(bytes, path.string());
     throw InputError("'" + path.string() +
                      "' is neither XML nor a gz-compressed MRPT archive; name a topomap.xml or .gr2to file");
 }

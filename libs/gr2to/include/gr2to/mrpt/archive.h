@@ -22,6 +22,11 @@ std::string toArchive(const TopologicalMap& map);
  */
 TopologicalMap fromArchive(std::string_view bytes, const std::string& name);
 
+/** Whether bytes begin as a topological map does: as XML, or as a gz-compressed archive of this library's
+ * class. \param bytes  the whole file \throws InputError  the bytes begin as a gz file but cannot be unpacked
+ */
+bool isTopologicalMap(std::string_view bytes, const std::string& name);
+
 /** Reads a map from XML or an archive, told apart by their content.
  * \throws InputError  the file is neither, or as readFile(), fromXml() and fromArchive()
  */

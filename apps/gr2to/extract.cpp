@@ -1,0 +1,250 @@
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "Command.h"
+#include "ExtractReport.h"
+#include "Progress.h"
+#include "TableOptions.h"
+#include "gr2to/base/errors.h"
+#include "gr2to/base/files.h"
+#include "gr2to/base/text.h"
+#include "gr2to/io/PngWriter.h"
+#include "gr2to/io/XmlMap.h"
+#include "gr2to/mrpt/archive.h"
+#include "parse.h"
+
+namespace gr2to::cli
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/** `office` for `maps/office.gridmap.gz`. */
+fs::path baseName(const fs::path& input)
+{
+    const fs::path name = input.filename();
+    return name.extension() == ".gz" ? name.stem().stem() : name.stem();
+}
+
+/** A file's name as the map can store it: a byte that text cannot hold becomes '?'. */
+std::string storableName(const fs::path& path)
+{
+    std::string name = path.filename().string();
+    for (std::size_t good = textPrefix(name); good < name.size(); good = textPrefix(name)) name[good] = '?';
+    if (hasControlCharacter(name))
+        for (char& c : name)
+            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    return name;
+}
+
+/** Files of one run; they appear together, when all are written. */
+class Output
+{
+ public:
+    /** \throws InputError  the folder cannot be written into */
+    explicit Output(fs::path folder) : m_folder(std::move(folder))
+    {
+        for (const char* name : NAMES) m_staged.push_back(m_files.stage(m_folder / name));
+    }
+    /** \throws InputError  the input is one of the files that would be replaced */
+    void spare(const fs::path& input) const
+    {
+        std::error_code ignored;
+        for (const char* name : NAMES)
+            if (!input.empty() && fs::equivalent(input, m_folder / name, ignored))
+                throw InputError("the output '" + (m_folder / name).string() +
+                                 "' would replace the input; choose another folder with -o DIR");
+    }
+    void write(std::size_t index, std::string_view bytes)
+    {
+        writeFile(m_staged.at(index), bytes);
+        m_bytes += bytes.size();
+    }
+    void commit() { m_files.commit(); }
+    std::size_t bytes() const { return m_bytes; }
+    std::vector<fs::path> paths() const
+    {
+        std::vector<fs::path> paths;
+        for (const char* name : NAMES) paths.push_back(m_folder / name);
+        return paths;
+    }
+
+ private:
+    static constexpr const char* NAMES[] = {"topomap.xml", "topomap.gr2to", "places.png", "overlay.png",
+                                            "overlay.svg"};
+    fs::path m_folder;
+    OutputTransaction m_files;
+    std::vector<fs::path> m_staged;
+    std::size_t m_bytes = 0;
+};
+
+/** Adds rows for what the application does around the pipeline. */
+class Stopwatch
+{
+ public:
+    /** \return seconds since the last call */
+    double lap()
+    {
+        const auto now = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> passed = now - m_last;
+        m_last = now;
+        return passed.count();
+    }
+
+ private:
+    std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
+};
+
+void requireValid(const TopologicalMap& map)
+{
+    const auto findings = map.validate();
+    if (!findings.empty())
+        throw std::logic_error("internal error, please report it: the map that was made is not valid: " +
+                               findings.front());
+}
+
+class Extract : public Command
+{
+ public:
+    std::string name() const override { return "extract"; }
+    std::string arguments() const override { return "INPUT [options]"; }
+    std::string summary() const override { return "make a topological map from an occupancy grid"; }
+    std::string description() const override
+    {
+        return "Turns an occupancy grid into a topological map of places, doors and walls. INPUT is told by "
+               "its "
+               "content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), or an MRPT .gridmap "
+               "or "
+               ".gridmap.gz.\n\n"
+               "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), places.png "
+               "(16 bits "
+               "a pixel: 0 is no place, else a place's id; same size and orientation as the grid), "
+               "overlay.png and "
+               "overlay.svg (pictures). They appear together, when all are made, and replace older ones.\n\n"
+               "Every option of the method has a default; a preset replaces the defaults, a configuration "
+               "file "
+               "the preset's values, and options on the command line win over both. All lengths are in "
+               "metres.";
+    }
+    void declare(CLI::App& app) override;
+    int run() override;
+
+ private:
+    ClassifiedGrid read(const Output& output, Progress& progress);
+    Extraction extract(const ClassifiedGrid& grid, Progress& progress);
+    void write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress);
+
+    std::string m_input;
+    std::string m_folder;
+    std::string m_preset = Gr2ToOptions::presets().front();
+    bool m_json = false;
+    bool m_quiet = false;
+    TGridReaderOptions m_reader;
+    Gr2ToOptions m_stages;
+    TOverlayOptions m_overlay;
+    std::unique_ptr<TableOptions> m_tables;
+    ExtractReport m_report;
+    Stopwatch m_watch;
+};
+
+void Extract::declare(CLI::App& app)
+{
+    addOption(app, "INPUT", m_input, "", "The grid, see above.")->required();
+    addOption(app, "-o,--output", m_folder, "DIR",
+              "Folder to write into; made when missing. (default: INPUT's name without folder and extension, "
+              "in the current folder)");
+    std::string names;
+    for (const auto& preset : Gr2ToOptions::presets()) names += (names.empty() ? "" : "|") + preset;
+    addOption(
+        app, "--preset", m_preset, names,
+        "Values of the options that are not given; paper follows the Gr2To paper to the letter. (default: " +
+            m_preset + ")");
+    app.add_flag("--json", m_json, "Print a summary as JSON instead of the table.");
+    app.add_flag("-q,--quiet", m_quiet, "Print neither table nor progress.");
+    std::vector<OptionTable*> tables = m_stages.tables();
+    tables.insert(tables.begin(), &m_reader);
+    tables.push_back(&m_overlay);
+    m_tables = std::make_unique<TableOptions>(tables);
+    m_tables->declare(app);
+    m_report.options = tables;
+}
+
+int Extract::run()
+{
+    m_stages = Gr2ToOptions::preset(m_preset);
+    m_tables->apply();
+    const fs::path folder = m_folder.empty() ? baseName(m_input) : fs::path(m_folder);
+    if (m_folder.empty() && fs::exists(folder) && !fs::is_directory(folder))
+        throw InputError("the default output folder '" + folder.string() +
+                         "' is a file already; choose another folder with -o DIR");
+    m_report.input = m_input;
+    m_report.preset = m_preset;
+    m_report.folder = folder;
+    Progress progress(!m_quiet);
+    Output output(folder);
+    const ClassifiedGrid grid = read(output, progress);
+    Extraction extraction = extract(grid, progress);
+    write(grid, extraction, output, progress);
+    m_report.describe(grid, extraction.map);
+    m_report.files = output.paths();
+    if (m_json)
+        std::cout << m_report.json();
+    else if (!m_quiet)
+        std::cout << m_report.text();
+    return kDone;
+}
+
+ClassifiedGrid Extract::read(const Output& output, Progress& progress)
+{
+    progress.step("reading " + baseName(m_input).string());
+    m_report.noteProgramMemory();
+    m_watch.lap();
+    GridSource source;
+    ClassifiedGrid grid = readGrid(m_input, m_reader, &source);
+    requireUsable(grid, m_input);
+    output.spare(m_input);
+    output.spare(source.image);
+    m_report.format = source.format;
+    m_report.stages.push_back({"reading", {{"cells", grid.size()}}, m_watch.lap(), grid.size()});
+    return grid;
+}
+
+Extraction Extract::extract(const ClassifiedGrid& grid, Progress& progress)
+{
+    progress.step("finding places and doors");
+    Extraction extraction = Gr2To(m_stages).extract(grid);
+    extraction.map.source = storableName(m_input);
+    requireValid(extraction.map);
+    m_report.noteStagesMemory();
+    m_report.stages.insert(m_report.stages.end(), extraction.reports.begin(), extraction.reports.end());
+    return extraction;
+}
+
+void Extract::write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress)
+{
+    progress.step("drawing");
+    m_watch.lap();
+    extraction.distances = DistanceMap();  // the pictures need its memory more
+    const OverlayInput input{grid, extraction.places, extraction.voronoi, extraction.criticalPoints,
+                             extraction.map};
+    const std::string png = renderOverlayPng(input, m_overlay);
+    const std::string svg = renderOverlaySvg(input, m_overlay);
+    m_report.stages.push_back({"drawing", {{"pictures", 2}}, m_watch.lap(), png.size() + svg.size()});
+    progress.step("writing");
+    output.write(0, toXml(extraction.map));
+    output.write(1, toArchive(extraction.map));
+    output.write(2, encodePng16(extraction.places));
+    output.write(3, png);
+    output.write(4, svg);
+    output.commit();
+    m_report.stages.push_back({"writing", {{"files", output.paths().size()}}, m_watch.lap(), output.bytes()});
+}
+}  // namespace
+
+std::unique_ptr<Command> makeExtract()
+{
+    return std::make_unique<Extract>();
+}
+}  // namespace gr2to::cli
