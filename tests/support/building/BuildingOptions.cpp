@@ -93,9 +93,9 @@ void TBuildingOptions::checkRules() const
     const double needed = layout == "ring" ? 2 * corridor + 3 * room_min_size : corridor + 2 * room_min_size;
     require(shorter >= needed - kRounding_m, width < height ? "width" : "height", shorter,
             "is too small for the corridor with rooms on both sides; it must be at least " + metres(needed));
-    const double cells =
-        (width * tiles_x + 2 * margin) * (height * tiles_y + 2 * margin) / (resolution * resolution);
-    require(cells < static_cast<double>(ClassifiedGrid::maxCells()) / 2, "resolution", resolution,
+    // A turned building fits the square of its diagonal.
+    const double diagonal = std::hypot(width * tiles_x + 2 * margin, height * tiles_y + 2 * margin);
+    require(diagonal / resolution < ClassifiedGrid::maxSide(), "resolution", resolution,
             "gives too many cells for this size; use a coarser one or fewer tiles");
 }
 }  // namespace gr2to::test
