@@ -24,8 +24,11 @@ std::int32_t slowSquaredDistance(const ClassifiedGrid& grid, Obstacles obstacles
 
 void expectExact(const ClassifiedGrid& grid, Obstacles obstacles)
 {
-    NearestObstacles nearest;
-    const DistanceMap map = measureDistances(grid, obstacles, &nearest);
+    std::vector<Cell> nearest;
+    DistanceMap map;
+    measureDistances(grid, obstacles, map, [&](int, const std::uint32_t* row) {
+        for (int x = 0; x < grid.width(); ++x) nearest.push_back(unpackCell(row[x]));
+    });
     for (std::size_t i = 0; i < grid.size(); ++i) {
         const Cell c = grid.cell(i);
         if (grid[i] != CellState::Free) {
@@ -34,7 +37,7 @@ void expectExact(const ClassifiedGrid& grid, Obstacles obstacles)
         }
         ASSERT_EQ(map.squared[i], slowSquaredDistance(grid, obstacles, c)) << c.x << ", " << c.y;
         if (map.squared[i] == DistanceMap::unreachable()) continue;
-        const Cell o = nearest.at(i);
+        const Cell o = nearest[i];
         ASSERT_EQ((o.x - c.x) * (o.x - c.x) + (o.y - c.y) * (o.y - c.y), map.squared[i]);
         ASSERT_NE(grid.at(o), CellState::Free);
         ASSERT_TRUE(obstacles != Obstacles::Occupied || grid.at(o) == CellState::Occupied);

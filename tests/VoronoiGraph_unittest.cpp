@@ -16,9 +16,10 @@ namespace
 {
 Mask diagramOf(const ClassifiedGrid& grid, double separation_cells)
 {
-    NearestObstacles nearest;
-    const DistanceMap distances = measureDistances(grid, Obstacles::Occupied, &nearest);
-    return thin(grid, distances, separatingCells(grid, distances, nearest, separation_cells));
+    DistanceMap distances;
+    const std::vector<Cell> separating =
+        measureSeparation(grid, Obstacles::Occupied, separation_cells, distances);
+    return thin(grid, distances, separating);
 }
 
 /** Whether removing the centre of a 3x3 neighbourhood keeps components and holes, by counting them. */
@@ -99,9 +100,10 @@ TEST(VoronoiExtractor, corridorHasOneStraightCenterLine)
     const auto grid = drawMap({"####################", "#..................#", "#..................#",
                                "#..................#", "####################"},
                               0.5);
-    NearestObstacles nearest;
-    const auto distances = measureDistances(grid, Obstacles::Occupied, &nearest);
-    const VoronoiGraph graph = VoronoiExtractor(TVoronoiOptions()).extract(grid, distances, nearest);
+    const VoronoiExtractor extractor{TVoronoiOptions()};
+    DistanceMap distances;
+    const std::vector<Cell> separating = extractor.measure(grid, Obstacles::Occupied, distances);
+    const VoronoiGraph graph = extractor.trace(grid, distances, separating);
     int onCenterLine = 0;
     for (const std::uint32_t i : graph.cells) onCenterLine += grid.cell(i).y == 2 ? 1 : 0;
     EXPECT_GE(onCenterLine, 14);

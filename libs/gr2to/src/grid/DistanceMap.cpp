@@ -86,12 +86,13 @@ class RowSweep
 {
  public:
     RowSweep(const ClassifiedGrid& grid, Obstacles obstacles, const ColumnDistances& columns,
-             DistanceMap& map, NearestObstacles* nearest)
+             DistanceMap& map, const NearestObstacleRow& onRow)
         : m_grid(grid),
           m_obstacles(obstacles),
           m_columns(columns),
           m_map(map),
-          m_nearest(nearest),
+          m_onRow(onRow),
+          m_nearest(onRow ? static_cast<std::size_t>(grid.width()) : 0),
           m_envelope(static_cast<std::size_t>(grid.width()) + 1)
     {
     }
@@ -116,6 +117,7 @@ class RowSweep
             }
             first = last;
         }
+        if (m_onRow) m_onRow(y, m_nearest.data());
     }
 
  private:
@@ -148,10 +150,9 @@ class RowSweep
                 ++nearest;
             }
             squared[x] = best;
-            if (!m_nearest) continue;
+            if (m_nearest.empty()) continue;
             if (nearest != before) obstacleRow = rowOf(*nearest, y);
-            m_nearest->packed[row + static_cast<std::size_t>(x)] =
-                NearestObstacles::pack(nearest->column, obstacleRow);
+            m_nearest[static_cast<std::size_t>(x)] = packCell(nearest->column, obstacleRow);
         }
     }
 
@@ -171,18 +172,27 @@ class RowSweep
     Obstacles m_obstacles;
     const ColumnDistances& m_columns;
     DistanceMap& m_map;
-    NearestObstacles* m_nearest;
-    std::vector<Parabola> m_envelope;  //!< ends with a mark at kBeyond
+    const NearestObstacleRow& m_onRow;
+    std::vector<std::uint32_t> m_nearest;  //!< of the current row; empty when nobody asks
+    std::vector<Parabola> m_envelope;      //!< ends with a mark at kBeyond
 };
 }  // namespace
 
-DistanceMap measureDistances(const ClassifiedGrid& grid, Obstacles obstacles, NearestObstacles* nearest)
+void measureDistances(const ClassifiedGrid& grid, Obstacles obstacles, DistanceMap& map,
+                      const NearestObstacleRow& onRow)
 {
-    DistanceMap map{grid.width(), grid.height(), std::vector<std::int32_t>(grid.size(), 0)};
-    if (nearest) nearest->packed.assign(grid.size(), 0);
+    map.width = grid.width();
+    map.height = grid.height();
+    map.squared.assign(grid.size(), 0);
     const ColumnDistances columns(grid, obstacles);
-    RowSweep rows(grid, obstacles, columns, map, nearest);
+    RowSweep rows(grid, obstacles, columns, map, onRow);
     for (int y = 0; y < grid.height(); ++y) rows.sweep(y);
+}
+
+DistanceMap measureDistances(const ClassifiedGrid& grid, Obstacles obstacles)
+{
+    DistanceMap map;
+    measureDistances(grid, obstacles, map);
     return map;
 }
 }  // namespace gr2to

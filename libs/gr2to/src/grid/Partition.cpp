@@ -8,78 +8,147 @@ namespace gr2to
 {
 namespace
 {
-/** Not a place; stands on free cells that labels may not enter yet. Never leaves this file. */
-constexpr PlaceId kClosed = 0xFFFF;
+constexpr PlaceId kMixed = 0xFFFF;  // no place has this id; stands for several places in one region
 
-/** Labels that spread over the free cells, wave by wave. */
-class Spreading
+/** Regions of free cells between borders, as runs of cells in rows; 4-connected. */
+class Regions
 {
  public:
-    Spreading(const ClassifiedGrid& grid, PlaceImage& image) : m_grid(grid), m_image(image) {}
-
-    void start(std::size_t i, PlaceId label)
+    Regions(const ClassifiedGrid& grid, const std::vector<std::size_t>& borderCells) : m_grid(grid)
     {
-        m_image.ids[i] = label;
-        m_front.push_back(i);
+        auto border = borderCells.begin();
+        const auto width = static_cast<std::size_t>(grid.width());
+        for (int y = 0; y < grid.height(); ++y) {
+            const std::size_t row = grid.index({0, y});
+            const std::size_t firstRun = m_runs.size();
+            m_firstRun.push_back(firstRun);
+            for (std::size_t i = row; i < row + width;) {
+                while (border != borderCells.end() && *border < i) ++border;
+                if (grid[i] != CellState::Free || (border != borderCells.end() && *border == i)) {
+                    ++i;
+                    continue;
+                }
+                std::size_t end = border != borderCells.end() ? std::min(*border, row + width) : row + width;
+                const CellState* cells = grid.row(0);
+                end = static_cast<std::size_t>(
+                    std::find_if(cells + i, cells + end, [](CellState s) { return s != CellState::Free; }) -
+                    cells);
+                m_runs.push_back({i, end, m_runs.size()});
+                i = end;
+            }
+            if (y > 0) linkRows(m_firstRun[static_cast<std::size_t>(y) - 1], firstRun, m_runs.size(), width);
+        }
+        m_firstRun.push_back(m_runs.size());
     }
 
-    void run()
+    /** Notes that a cell's region holds a place; a second one makes it mixed. */
+    void claim(std::size_t cell, PlaceId place)
     {
-        bool overCorners = false;
-        std::vector<std::size_t> next;
-        while (!m_front.empty()) {
-            next.clear();
-            for (const std::size_t i : m_front) enterAround(i, overCorners, next);
-            m_front.swap(next);
-            overCorners = !overCorners;
-        }
+        Run* run = find(cell);
+        if (!run) return;  // on a border
+        PlaceId& claimed = m_runs[root(static_cast<std::size_t>(run - m_runs.data()))].place;
+        claimed = claimed == 0 || claimed == place ? place : kMixed;
+    }
+
+    /** Writes every region's place, 0 for mixed and unclaimed ones. */
+    void paint(PlaceImage& image)
+    {
+        for (std::size_t r = 0; r < m_runs.size(); ++r)
+            if (const PlaceId place = m_runs[root(r)].place; place != 0 && place != kMixed)
+                std::fill(image.ids.begin() + static_cast<std::ptrdiff_t>(m_runs[r].begin),
+                          image.ids.begin() + static_cast<std::ptrdiff_t>(m_runs[r].end), place);
     }
 
  private:
-    void enterAround(std::size_t i, bool overCorners, std::vector<std::size_t>& next)
+    struct Run
     {
-        const auto width = static_cast<std::size_t>(m_image.width);
-        const std::size_t x = i % width;
-        const bool right = x + 1 < width, left = x > 0, up = i + width < m_image.ids.size(),
-                   down = i >= width;
-        const PlaceId label = m_image.ids[i];
-        const bool canRight = right && enter(i + 1, label, next), canLeft = left && enter(i - 1, label, next);
-        const bool canUp = up && enter(i + width, label, next),
-                   canDown = down && enter(i - width, label, next);
-        if (!overCorners) return;
-        // Over a corner only past two open sides, so that no label slips through a diagonal wall.
-        if (canRight && canUp) enter(i + width + 1, label, next);
-        if (canLeft && canUp) enter(i + width - 1, label, next);
-        if (canRight && canDown) enter(i - width + 1, label, next);
-        if (canLeft && canDown) enter(i - width - 1, label, next);
+        std::size_t begin;
+        std::size_t end;
+        std::size_t parent;
+        PlaceId place = 0;  //!< of the region; valid at its root
+    };
+
+    std::size_t root(std::size_t r)
+    {
+        while (m_runs[r].parent != r) r = m_runs[r].parent = m_runs[m_runs[r].parent].parent;
+        return r;
     }
 
-    /** Labels a cell when it is free and still open. \return whether labels may pass it */
-    bool enter(std::size_t i, PlaceId label, std::vector<std::size_t>& next)
+    /** Joins the runs of two rows that lie side by side. */
+    void linkRows(std::size_t below, std::size_t current, std::size_t end, std::size_t width)
     {
-        if (m_grid[i] != CellState::Free || m_image.ids[i] == kClosed) return false;
-        if (m_image.ids[i] == 0) {
-            m_image.ids[i] = label;
-            next.push_back(i);
+        std::size_t a = below;
+        for (std::size_t b = current; b < end; ++b) {
+            while (a < current && m_runs[a].end + width <= m_runs[b].begin) ++a;
+            for (std::size_t k = a; k < current && m_runs[k].begin + width < m_runs[b].end; ++k) {
+                const std::size_t p = root(k), q = root(b);
+                m_runs[std::max(p, q)].parent = std::min(p, q);
+            }
         }
-        return true;
+    }
+
+    Run* find(std::size_t cell)
+    {
+        const auto y = cell / static_cast<std::size_t>(m_grid.width());
+        const auto first = m_runs.begin() + static_cast<std::ptrdiff_t>(m_firstRun[y]);
+        const auto last = m_runs.begin() + static_cast<std::ptrdiff_t>(m_firstRun[y + 1]);
+        const auto after =
+            std::upper_bound(first, last, cell, [](std::size_t c, const Run& run) { return c < run.begin; });
+        return after != first && cell < std::prev(after)->end ? &*std::prev(after) : nullptr;
     }
 
     const ClassifiedGrid& m_grid;
-    PlaceImage& m_image;
-    std::vector<std::size_t> m_front;
+    std::vector<Run> m_runs;
+    std::vector<std::size_t> m_firstRun;  //!< of each row, and the end
 };
 
-/** Opens the closed cells and lets the labels beside them in. */
-void fillClosed(const ClassifiedGrid& grid, PlaceImage& image, const std::vector<Cell>& closed)
+/** Labels that spread over the unlabelled free cells, wave by wave: over sides and over corners in turn. */
+void spread(const ClassifiedGrid& grid, PlaceImage& image, std::vector<std::size_t> front)
 {
-    for (const Cell c : closed)
-        if (image.at(c) == kClosed) image.ids[image.index(c)] = 0;
-    Spreading spreading(grid, image);
-    for (const Cell c : closed)
+    const auto enter = [&](int x, int y, PlaceId label, std::vector<std::size_t>& next) {
+        const Cell c{x, y};
+        if (!grid.isFree(c)) return false;
+        PlaceId& there = image.ids[image.index(c)];
+        if (there == 0) {
+            there = label;
+            next.push_back(image.index(c));
+        }
+        return true;
+    };
+    bool overCorners = false;
+    std::vector<std::size_t> next;
+    while (!front.empty()) {
+        next.clear();
+        for (const std::size_t i : front) {
+            const Cell c = grid.cell(i);
+            const PlaceId label = image.ids[i];
+            const bool right = enter(c.x + 1, c.y, label, next), left = enter(c.x - 1, c.y, label, next);
+            const bool up = enter(c.x, c.y + 1, label, next), down = enter(c.x, c.y - 1, label, next);
+            if (!overCorners) continue;
+            // Over a corner only past two free sides, so that no label slips through a diagonal wall.
+            if (right && up) enter(c.x + 1, c.y + 1, label, next);
+            if (left && up) enter(c.x - 1, c.y + 1, label, next);
+            if (right && down) enter(c.x + 1, c.y - 1, label, next);
+            if (left && down) enter(c.x - 1, c.y - 1, label, next);
+        }
+        front.swap(next);
+        overCorners = !overCorners;
+    }
+}
+
+/** Labelled cells beside unlabelled free ones: where labels can spread from. */
+std::vector<std::size_t> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image)
+{
+    std::vector<std::size_t> rim;
+    for (std::size_t i = 0; i < grid.size(); ++i) {
+        if (grid[i] != CellState::Free || image.ids[i] != 0) continue;
+        const Cell c = grid.cell(i);
         for (const Cell n : {Cell{c.x + 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x - 1, c.y}, Cell{c.x, c.y - 1}})
-            if (grid.isFree(n) && image.at(n) != 0) spreading.start(image.index(n), image.at(n));
-    spreading.run();
+            if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
+    }
+    std::sort(rim.begin(), rim.end());
+    rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
+    return rim;
 }
 
 /** Gives unlabelled free cells the label that is nearest in a straight line. */
@@ -92,26 +161,39 @@ void fillUnreached(const ClassifiedGrid& grid, PlaceImage& image)
     ClassifiedGrid seeds(grid.width(), grid.height(), grid.frame());
     for (std::size_t i = 0; i < grid.size(); ++i)
         if (grid[i] == CellState::Free) seeds[i] = image.ids[i] ? CellState::Occupied : CellState::Free;
-    NearestObstacles nearest;
-    const DistanceMap distances = measureDistances(seeds, Obstacles::Occupied, &nearest);
-    for (std::size_t i = 0; i < grid.size(); ++i)
-        if (isUnreached(i) && distances.squared[i] != DistanceMap::unreachable())
-            image.ids[i] = image.at(nearest.at(i));
+    DistanceMap distances;
+    measureDistances(seeds, Obstacles::Occupied, distances, [&](int y, const std::uint32_t* nearest) {
+        const std::size_t row = grid.index({0, y});
+        for (std::size_t x = 0; x < static_cast<std::size_t>(grid.width()); ++x)
+            if (seeds[row + x] == CellState::Free && distances.squared[row + x] != DistanceMap::unreachable())
+                image.ids[row + x] = image.at(unpackCell(nearest[x]));
+    });
 }
 }  // namespace
 
 PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
-                     const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& closed)
+                     const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& borders)
 {
+    std::vector<std::size_t> borderCells;
+    for (const Cell c : borders) borderCells.push_back(grid.index(c));
+    std::sort(borderCells.begin(), borderCells.end());
+    borderCells.erase(std::unique(borderCells.begin(), borderCells.end()), borderCells.end());
+
     PlaceImage image(grid.width(), grid.height());
-    for (const Cell c : closed)
-        if (grid.isFree(c)) image.ids[image.index(c)] = kClosed;
-    Spreading spreading(grid, image);
+    {
+        Regions regions(grid, borderCells);
+        for (std::size_t k = 0; k < voronoi.cells.size(); ++k)
+            if (placeOfCell[k] != 0) regions.claim(voronoi.cells[k], placeOfCell[k]);
+        regions.paint(image);
+    }
+    std::vector<std::size_t> front;  // in mixed regions the diagram's own labels spread
     for (std::size_t k = 0; k < voronoi.cells.size(); ++k)
-        if (placeOfCell[k] != 0 && image.ids[voronoi.cells[k]] == 0)
-            spreading.start(voronoi.cells[k], placeOfCell[k]);
-    spreading.run();
-    fillClosed(grid, image, closed);
+        if (PlaceId& there = image.ids[voronoi.cells[k]]; there == 0 && placeOfCell[k] != 0) {
+            there = placeOfCell[k];
+            front.push_back(voronoi.cells[k]);
+        }
+    spread(grid, image, std::move(front));
+    spread(grid, image, rimOfLabels(grid, image));
     fillUnreached(grid, image);
     return image;
 }

@@ -16,8 +16,8 @@ constexpr int kMaxBucket = 0xFFFF >> kBucketShift;
 /** Clearances that differ by less are removed first come, first served: in waves, which keeps them in order
  * too. */
 constexpr float kBucketCells = 2.0F;
-/** Side of a tile [cells]: two bytes a cell, three rows of neighbours and the queue fit a 256 kB cache. */
-constexpr int kTileSide = 256;
+/** Cells of a band of rows: at two bytes a cell a band and its queue fit a cache of half a megabyte. */
+constexpr std::size_t kBandCells = 1U << 17U;
 
 /** Runs around the ring of neighbours; a 4-connected run counts when it holds a cell that shares a side. */
 int figureRuns(std::uint8_t ring)
@@ -77,18 +77,15 @@ const std::array<bool, 256>& simpleTable()
 
 /** The thinning in progress.
  *
- * Cells wait in buckets of similar clearance, one set of buckets for each square tile of the grid. All tiles
- * finish a bucket before the next begins, but one tile after the other, so that a tile's cells stay in the
- * processor's cache.
+ * Cells wait in buckets of similar clearance, one set of buckets for each band of rows. All bands finish a
+ * bucket before the next begins, but one band after the other, so that a band's cells stay in the processor's
+ * cache.
  */
 class Thinner
 {
  public:
     Thinner(const ClassifiedGrid& grid, const DistanceMap& distances)
-        : m_cells(grid.width(), grid.height()),
-          m_steps(m_cells.neighbourSteps()),
-          m_simple(simpleTable()),
-          m_tileColumns((grid.width() + 2) / kTileSide + 1)
+        : m_cells(grid.width(), grid.height()), m_steps(m_cells.neighbourSteps()), m_simple(simpleTable())
     {
         for (int y = 0; y < grid.height(); ++y) {
             const CellState* cells = grid.row(y);
@@ -99,8 +96,8 @@ class Thinner
                              ? static_cast<std::uint16_t>(bucketOf(squared[x]) | kFigure)
                              : std::uint16_t{0};
         }
-        m_queues.resize(static_cast<std::size_t>(m_tileColumns) *
-                        ((static_cast<std::size_t>(grid.height()) + 2) / kTileSide + 1));
+        m_bandCells = m_cells.stride() * std::max<std::size_t>(1, kBandCells / m_cells.stride());
+        m_bands.resize(m_cells.size() / m_bandCells + 1);
     }
 
     void protect(const std::vector<Cell>& anchors)
@@ -111,10 +108,13 @@ class Thinner
     /** Removes all that is no anchor and not needed for the topology. */
     void thinAroundAnchors()
     {
+        std::vector<std::uint16_t> inner(static_cast<std::size_t>(m_cells.width()));
         for (int y = 0; y < m_cells.height(); ++y) {
             const std::size_t row = m_cells.index({0, y});
-            for (std::size_t i = row; i < row + static_cast<std::size_t>(m_cells.width()); ++i)
-                if ((m_cells[i] & kStateBits) == kFigure && ring(i) != 0xFF) enqueue(i);
+            markInner(row, inner);
+            for (std::size_t x = 0; x < inner.size(); ++x)
+                if (!(inner[x] & kFigure) && (m_cells[row + x] & kStateBits) == kFigure)
+                    enqueue(row + x, row / m_bandCells);
         }
         drain([](std::uint8_t) { return false; });
     }
@@ -124,13 +124,13 @@ class Thinner
      */
     void thinAnchors(const std::vector<Cell>& anchors)
     {
-        for (const Cell c : anchors)
-        {
+        for (const Cell c : anchors) {
             std::uint16_t& cell = m_cells[m_cells.index(c)];
             cell = static_cast<std::uint16_t>(cell & ~kAnchor);
         }
         for (const Cell c : anchors)
-            if ((m_cells[m_cells.index(c)] & kStateBits) == kFigure) enqueue(m_cells.index(c));
+            if (const std::size_t i = m_cells.index(c); (m_cells[i] & kStateBits) == kFigure)
+                enqueue(i, i / m_bandCells);
         drain(isEnd);
     }
 
@@ -138,15 +138,15 @@ class Thinner
     {
         Mask mask(m_cells.width(), m_cells.height());
         for (int y = 0; y < mask.height(); ++y) {
-            const std::size_t row = m_cells.index({0, y});
-            for (std::size_t i = row; i < row + static_cast<std::size_t>(mask.width()); ++i)
-                mask[i] = static_cast<std::uint8_t>(m_cells[i] & kFigure);
+            const std::uint16_t* row = &m_cells[m_cells.index({0, y})];
+            std::uint8_t* out = &mask[mask.index({0, y})];
+            for (int x = 0; x < mask.width(); ++x) out[x] = static_cast<std::uint8_t>(row[x] & kFigure);
         }
         return mask;
     }
 
  private:
-    struct Tile
+    struct Band
     {
         std::vector<std::vector<std::uint32_t>> buckets;
         std::vector<std::uint32_t> working;  //!< cells of the current bucket
@@ -154,7 +154,7 @@ class Thinner
 
     static std::uint16_t bucketOf(std::int32_t squaredClearance)
     {
-        const float bucket = std::sqrt(static_cast<float>(squaredClearance)) / kBucketCells;
+        const float bucket = std::sqrt(static_cast<float>(squaredClearance)) * (1.0F / kBucketCells);
         return static_cast<std::uint16_t>(std::min(static_cast<int>(bucket), kMaxBucket) << kBucketShift);
     }
 
@@ -166,6 +166,19 @@ class Thinner
         return (ring & ~(1U << side | 1U << (side + 1) % 8 | 1U << (side + 7) % 8)) == 0;
     }
 
+    /** Sets the figure bit of `inner` for the cells of a row whose eight neighbours all belong to the figure.
+     */
+    void markInner(std::size_t row, std::vector<std::uint16_t>& inner) const
+    {
+        const std::uint16_t* middle = &m_cells[row];
+        const std::uint16_t* below = middle - m_cells.stride();
+        const std::uint16_t* above = middle + m_cells.stride();
+        for (std::size_t x = 0; x < inner.size(); ++x)
+            inner[x] =
+                static_cast<std::uint16_t>(*(below + x - 1) & below[x] & below[x + 1] & *(middle + x - 1) &
+                                           middle[x + 1] & *(above + x - 1) & above[x] & above[x + 1]);
+    }
+
     std::uint8_t ring(std::size_t i) const
     {
         const std::uint16_t* at = &m_cells[i];
@@ -174,79 +187,72 @@ class Thinner
         return static_cast<std::uint8_t>(bits);
     }
 
-    void enqueue(std::size_t i)
+    void enqueue(std::size_t i, std::size_t b)
     {
         m_cells[i] |= kQueued;
-        Tile& tile = m_queues[tileOf(i)];
+        Band& band = m_bands[b];
         const std::size_t bucket = m_cells[i] >> kBucketShift;
         if (bucket <= m_current) {
-            if (tile.working.empty())
-                m_waiting.push_back(static_cast<std::uint32_t>(&tile - m_queues.data()));
-            tile.working.push_back(static_cast<std::uint32_t>(i));
+            if (band.working.empty()) m_waiting.push_back(b);
+            band.working.push_back(static_cast<std::uint32_t>(i));
             return;
         }
-        if (bucket >= tile.buckets.size()) tile.buckets.resize(bucket + 1);
-        tile.buckets[bucket].push_back(static_cast<std::uint32_t>(i));
+        if (bucket >= band.buckets.size()) band.buckets.resize(bucket + 1);
+        band.buckets[bucket].push_back(static_cast<std::uint32_t>(i));
         m_highest = std::max(m_highest, bucket);
-    }
-
-    std::size_t tileOf(std::size_t i) const
-    {
-        const auto index = static_cast<std::uint32_t>(i);
-        const auto stride = static_cast<std::uint32_t>(m_cells.stride());
-        const std::uint32_t row = index / stride, column = index - row * stride;
-        return row / kTileSide * static_cast<std::uint32_t>(m_tileColumns) + column / kTileSide;
     }
 
     template <class Keep>
     void drain(const Keep& keep)
     {
         for (m_current = 0; m_current <= m_highest; ++m_current) {
-            for (std::size_t t = 0; t < m_queues.size(); ++t) takeBucket(t);
+            for (std::size_t b = 0; b < m_bands.size(); ++b) takeBucket(b);
             while (!m_waiting.empty()) {
-                std::vector<std::uint32_t> tiles;
-                tiles.swap(m_waiting);
-                for (const std::uint32_t t : tiles) drainTile(t, keep);
+                std::vector<std::size_t> bands;
+                bands.swap(m_waiting);
+                for (const std::size_t b : bands) drainBand(b, keep);
             }
         }
         m_current = 0;
         m_highest = 0;
     }
 
-    void takeBucket(std::size_t t)
+    void takeBucket(std::size_t b)
     {
-        Tile& tile = m_queues[t];
-        if (m_current >= tile.buckets.size() || tile.buckets[m_current].empty()) return;
-        if (tile.working.empty()) m_waiting.push_back(static_cast<std::uint32_t>(t));
-        auto& bucket = tile.buckets[m_current];
-        tile.working.insert(tile.working.end(), bucket.begin(), bucket.end());
+        Band& band = m_bands[b];
+        if (m_current >= band.buckets.size() || band.buckets[m_current].empty()) return;
+        if (band.working.empty()) m_waiting.push_back(b);
+        auto& bucket = band.buckets[m_current];
+        band.working.insert(band.working.end(), bucket.begin(), bucket.end());
         std::vector<std::uint32_t>().swap(bucket);
     }
 
     template <class Keep>
-    void drainTile(std::size_t t, const Keep& keep)
+    void drainBand(std::size_t b, const Keep& keep)
     {
-        Tile& tile = m_queues[t];
-        for (std::size_t k = 0; k < tile.working.size(); ++k) {
-            const std::size_t i = tile.working[k];
+        Band& band = m_bands[b];
+        const std::size_t first = b * m_bandCells, last = first + m_bandCells;
+        for (std::size_t k = 0; k < band.working.size(); ++k) {
+            const std::size_t i = band.working[k];
             m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kQueued);
             const std::uint8_t around = ring(i);
             if (!m_simple[around] || keep(around)) continue;
             m_cells[i] = 0;
             for (const std::ptrdiff_t step : m_steps) {
                 const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + step);
-                if ((m_cells[j] & kStateBits) == kFigure) enqueue(j);
+                if ((m_cells[j] & kStateBits) == kFigure)
+                    enqueue(j, j < first ? b - 1 : j < last ? b : b + 1);
             }
         }
-        tile.working.clear();
+        band.working.clear();
     }
 
     Padded<std::uint16_t> m_cells;  //!< figure, anchor and queued bits, and the bucket above them
     std::array<std::ptrdiff_t, 8> m_steps;
     const std::array<bool, 256>& m_simple;
-    int m_tileColumns;
-    std::vector<Tile> m_queues;
-    std::vector<std::uint32_t> m_waiting;  //!< tiles with cells of the current bucket
+    std::size_t m_bandCells = 0;
+    std::vector<Band> m_bands;
+    std::vector<std::size_t> m_waiting;  //!< bands with cells of the current bucket
     std::size_t m_current = 0;
     std::size_t m_highest = 0;
 };
@@ -257,37 +263,63 @@ bool isSimple(std::uint8_t neighbours)
     return simpleTable()[neighbours];
 }
 
-std::vector<Cell> separatingCells(const ClassifiedGrid& grid, const DistanceMap& distances,
-                                  const NearestObstacles& nearest, double minSeparation_cells)
+SeparationFinder::SeparationFinder(const ClassifiedGrid& grid, double minSeparation_cells)
+    : m_grid(grid),
+      m_minSquared(static_cast<std::int64_t>(std::ceil(minSeparation_cells * minSeparation_cells))),
+      m_nearestBelow(static_cast<std::size_t>(grid.width())),
+      m_squaredBelow(m_nearestBelow.size()),
+      m_below(m_nearestBelow.size(), 0),
+      m_current(m_nearestBelow.size(), 0)
 {
-    const auto minSquared = static_cast<std::int64_t>(std::ceil(minSeparation_cells * minSeparation_cells));
-    std::vector<Cell> cells;
-    const auto width = static_cast<std::size_t>(grid.width());
-    const auto separated = [&](std::size_t i, std::size_t j) {
-        if (nearest.packed[i] == nearest.packed[j]) return false;
-        const Cell a = nearest.at(i), b = nearest.at(j);
-        const std::int64_t dx = a.x - b.x, dy = a.y - b.y;
-        return dx * dx + dy * dy >= minSquared;
-    };
-    std::vector<std::uint8_t> above(width, 0), current(width, 0);
-    for (int y = 0; y < grid.height(); ++y) {
-        current.swap(above);
-        std::fill(above.begin(), above.end(), std::uint8_t{0});
-        const CellState* row = grid.row(y);
-        const std::size_t start = grid.index({0, y});
-        const bool hasAbove = y + 1 < grid.height();
-        for (std::size_t x = 0; x < width; ++x) {
-            if (row[x] != CellState::Free) continue;
-            const std::size_t i = start + x;
-            if (x + 1 < width && row[x + 1] == CellState::Free && separated(i, i + 1))
-                current[distances.squared[i + 1] > distances.squared[i] ? x + 1 : x] = 1;
-            if (hasAbove && row[x + width] == CellState::Free && separated(i, i + width))
-                (distances.squared[i + width] > distances.squared[i] ? above : current)[x] = 1;
-        }
-        for (std::size_t x = 0; x < width; ++x)
-            if (current[x]) cells.push_back({static_cast<int>(x), y});
+}
+
+bool SeparationFinder::separated(std::uint32_t a, std::uint32_t b) const
+{
+    if (a == b) return false;
+    const Cell p = unpackCell(a), q = unpackCell(b);
+    const std::int64_t dx = p.x - q.x, dy = p.y - q.y;
+    return dx * dx + dy * dy >= m_minSquared;
+}
+
+void SeparationFinder::addRow(int y, const std::int32_t* squared, const std::uint32_t* nearest)
+{
+    const CellState* row = m_grid.row(y);
+    const CellState* rowBelow = y > 0 ? m_grid.row(y - 1) : nullptr;
+    const std::size_t width = m_current.size();
+    for (std::size_t x = 0; x < width; ++x) {
+        if (row[x] != CellState::Free) continue;
+        if (rowBelow && rowBelow[x] == CellState::Free && separated(nearest[x], m_nearestBelow[x]))
+            (squared[x] > m_squaredBelow[x] ? m_current : m_below)[x] = 1;
+        if (x + 1 < width && row[x + 1] == CellState::Free && separated(nearest[x], nearest[x + 1]))
+            m_current[squared[x + 1] > squared[x] ? x + 1 : x] = 1;
     }
-    return cells;
+    finishRow(y - 1);
+    m_below.swap(m_current);
+    std::fill(m_current.begin(), m_current.end(), std::uint8_t{0});
+    std::copy(nearest, nearest + width, m_nearestBelow.begin());
+    std::copy(squared, squared + width, m_squaredBelow.begin());
+}
+
+void SeparationFinder::finishRow(int y)
+{
+    for (std::size_t x = 0; x < m_below.size(); ++x)
+        if (m_below[x]) m_cells.push_back({static_cast<int>(x), y});
+}
+
+std::vector<Cell> SeparationFinder::take()
+{
+    finishRow(m_grid.height() - 1);
+    return std::move(m_cells);
+}
+
+std::vector<Cell> measureSeparation(const ClassifiedGrid& grid, Obstacles obstacles,
+                                    double minSeparation_cells, DistanceMap& distances)
+{
+    SeparationFinder finder(grid, minSeparation_cells);
+    measureDistances(grid, obstacles, distances, [&](int y, const std::uint32_t* nearest) {
+        finder.addRow(y, distances.squared.data() + distances.index({0, y}), nearest);
+    });
+    return finder.take();
 }
 
 Mask thin(const ClassifiedGrid& grid, const DistanceMap& distances, const std::vector<Cell>& anchors)

@@ -66,21 +66,20 @@ Extraction Gr2To::extract(const ClassifiedGrid& grid) const
     Extraction e;
     Clock clock(e.reports);
 
-    NearestObstacles nearest;
-    e.distances = measureDistances(grid, obstacles, &nearest);
+    const VoronoiExtractor voronoi(m_options.voronoi);
+    const std::vector<Cell> separating = voronoi.measure(grid, obstacles, e.distances);
     clock.report("distance map", {{"cells", grid.size()}}, bytesOf(e.distances.squared));
 
     e.doorCandidates = DoorDetector(m_options.door).detect(grid, e.distances);
     clock.report("door detection", {{"candidates", e.doorCandidates.size()}}, bytesOf(e.doorCandidates));
 
-    e.voronoi = VoronoiExtractor(m_options.voronoi).extract(grid, e.distances, nearest);
-    nearest = NearestObstacles();
+    e.voronoi = voronoi.trace(grid, e.distances, separating);
     clock.report("Voronoi diagram", {{"nodes", e.voronoi.nodes.size()}, {"edges", e.voronoi.edges.size()}},
                  bytesOf(e.voronoi));
 
     e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
-    e.graph = builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles), e.voronoi,
-                            e.distances, grid.resolution_m());
+    std::vector<ValidatedDoor> doors = builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles);
+    e.graph = builder.build(std::move(doors), e.voronoi, grid, obstacles, e.distances);
     clock.report("place construction",
                  {{"critical points", e.criticalPoints.size()},
                   {"circles", e.graph.circles.size()},

@@ -139,6 +139,30 @@ class Linker
     }
     std::int64_t key(Cell c) const { return key(c.x / m_side, c.y / m_side); }
 
+    struct Box
+    {
+        int left, right, bottom, top;
+
+        double squaredDistance(Cell c) const
+        {
+            const double dx = std::max({left - c.x, 0, c.x - right}),
+                         dy = std::max({bottom - c.y, 0, c.y - top});
+            return dx * dx + dy * dy;
+        }
+    };
+
+    Box boxOf(const std::vector<std::size_t>& bucket) const
+    {
+        const Cell first = m_cells[bucket.front()];
+        Box box{first.x, first.x, first.y, first.y};
+        for (const std::size_t i : bucket) {
+            box.left = std::min(box.left, m_cells[i].x);
+            box.right = std::max(box.right, m_cells[i].x);
+            box.top = std::max(box.top, m_cells[i].y);
+        }
+        return box;
+    }
+
     std::size_t find(std::size_t i)
     {
         while (m_parent[i] != i) i = m_parent[i] = m_parent[m_parent[i]];
@@ -169,9 +193,12 @@ class Linker
             return;
         }
         if (find(a.front()) == find(b.front())) return;
-        for (const std::size_t i : a)
+        const Box box = boxOf(b);
+        for (const std::size_t i : a) {
+            if (box.squaredDistance(m_cells[i]) >= m_squaredRadius) continue;
             for (const std::size_t j : b)
                 if (close(i, j)) return unite(i, j);
+        }
     }
 
     void unite(std::size_t i, std::size_t j)

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <set>
 #include <unordered_map>
 
 #include "gr2to/grid/CriticalPoints.h"
 #include "gr2to/grid/CurveCells.h"
+#include "gr2to/grid/Jambs.h"
 
 namespace gr2to
 {
@@ -16,12 +16,6 @@ namespace
 bool rasterLess(Cell a, Cell b)
 {
     return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
-std::int64_t squaredDistance(Cell a, Cell b)
-{
-    const std::int64_t dx = a.x - b.x, dy = a.y - b.y;
-    return dx * dx + dy * dy;
 }
 
 /** Index of the narrowest critical point close to each candidate's cells; -1 where there is none. */
@@ -53,40 +47,6 @@ std::vector<int> supportOf(const std::vector<DoorCandidate>& candidates,
     return support;
 }
 
-/** The two jambs beside a critical point; nothing when all obstacles near it lie on one side. */
-std::optional<std::pair<Cell, Cell>> jambsAt(const CriticalPoint& point, const ClassifiedGrid& grid,
-                                             Obstacles obstacles)
-{
-    const int reach =
-        static_cast<int>(std::ceil(point.clearance_cells + 1.5));  // the diagram is off by a cell at most
-    const auto isObstacle = [&](Cell c) {
-        if (!grid.contains(c)) return false;
-        return obstacles == Obstacles::Occupied ? grid.at(c) == CellState::Occupied
-                                                : grid.at(c) != CellState::Free;
-    };
-    std::vector<Cell> near;
-    for (int y = point.cell.y - reach; y <= point.cell.y + reach; ++y)
-        for (int x = point.cell.x - reach; x <= point.cell.x + reach; ++x)
-            if (isObstacle({x, y}) && squaredDistance({x, y}, point.cell) <= std::int64_t{reach} * reach)
-                near.push_back({x, y});
-    if (near.empty()) return std::nullopt;
-    const auto distance = [&](Cell c) { return squaredDistance(c, point.cell); };
-    const Cell a = *std::min_element(near.begin(), near.end(),
-                                     [&](Cell l, Cell r) { return distance(l) < distance(r); });
-    const auto along = [&](Cell c) {
-        const std::int64_t dot = std::int64_t{c.x - point.cell.x} * (a.x - point.cell.x) +
-                                 std::int64_t{c.y - point.cell.y} * (a.y - point.cell.y);
-        return static_cast<double>(dot) / std::sqrt(static_cast<double>(distance(c)));
-    };
-    std::optional<Cell> b;
-    for (const Cell c : near)
-        if (along(c) < 0 &&
-            (!b || distance(c) < distance(*b) || (distance(c) == distance(*b) && along(c) < along(*b))))
-            b = c;
-    if (!b) return std::nullopt;
-    return std::make_pair(a, *b);
-}
-
 /** Eq. (9): walks from big circles to small and drops those that are close to a kept one with nothing
  * narrower between. */
 std::vector<Circle> dropClose(const std::vector<Circle>& circles, const DistanceMap& distances)
@@ -108,9 +68,14 @@ std::vector<Circle> dropClose(const std::vector<Circle>& circles, const Distance
 class DiagramDivider
 {
  public:
-    DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
-                   const DistanceMap& distances, double minRadius)
-        : m_curves(voronoi), m_distances(distances), m_minRadius(minRadius), m_blocked(m_curves.size())
+    DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
+                   Obstacles obstacles, const DistanceMap& distances, double minRadius)
+        : m_curves(voronoi),
+          m_grid(grid),
+          m_obstacles(obstacles),
+          m_distances(distances),
+          m_minRadius(minRadius),
+          m_blocked(m_curves.size())
     {
         m_graph.doors = std::move(doors);
     }
@@ -221,6 +186,7 @@ class DiagramDivider
                 const int a = m_graph.circleOfCell[i], b = m_graph.circleOfCell[static_cast<std::size_t>(n)];
                 if (a < 0 || b < 0 || a == b) continue;
                 addOpening(a, b, m_curves.cell(i));
+                addBorder(a, b, m_curves.cell(i));
             }
     }
 
@@ -237,6 +203,15 @@ class DiagramDivider
         }
         m_linksOf[{link.from, link.to}].push_back(m_graph.links.size());
         m_graph.links.push_back(link);
+    }
+
+    void addBorder(int a, int b, Cell at)
+    {
+        const auto jambs = findJambs(m_grid, m_obstacles, at, m_distances.clearance_cells(at));
+        if (!jambs) return;  // the partition then meets half-way
+        m_graph.borders.push_back({static_cast<std::size_t>(std::min(a, b)),
+                                   static_cast<std::size_t>(std::max(a, b)),
+                                   criticalLine(m_grid, at, *jambs)});
     }
 
     void linkAtDoors()
@@ -260,6 +235,8 @@ class DiagramDivider
     }
 
     CurveCells m_curves;
+    const ClassifiedGrid& m_grid;
+    Obstacles m_obstacles;
     const DistanceMap& m_distances;
     double m_minRadius;
     std::vector<bool> m_blocked;
@@ -302,31 +279,20 @@ std::vector<ValidatedDoor> PlaceBuilder::validate(const std::vector<DoorCandidat
     std::vector<ValidatedDoor> doors;
     for (const int p : supporting) {
         const CriticalPoint& point = points[static_cast<std::size_t>(p)];
-        const auto jambs = jambsAt(point, grid, obstacles);
+        const auto jambs = findJambs(grid, obstacles, point.cell, point.clearance_cells);
         if (!jambs) continue;
-        ValidatedDoor door{point, jambs->first, jambs->second, lineCells(jambs->first, point.cell)};
-        const std::vector<Cell> secondHalf = lineCells(point.cell, jambs->second);
-        door.line.insert(door.line.end(), std::next(secondHalf.begin()), secondHalf.end());
+        ValidatedDoor door{point, jambs->nearest, jambs->facing, criticalLine(grid, point.cell, *jambs)};
         doors.push_back(std::move(door));
     }
     return doors;
 }
 
 PlaceGraph PlaceBuilder::build(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
-                               const DistanceMap& distances, double resolution_m) const
+                               const ClassifiedGrid& grid, Obstacles obstacles,
+                               const DistanceMap& distances) const
 {
-    return DiagramDivider(std::move(doors), voronoi, distances, m_options.min_radius / resolution_m).divide();
-}
-
-std::vector<Cell> lineCells(Cell from, Cell to)
-{
-    const int steps = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
-    std::vector<Cell> cells;
-    for (int k = 0; k <= steps; ++k) {
-        const double t = steps == 0 ? 0.0 : static_cast<double>(k) / steps;
-        cells.push_back({static_cast<int>(std::lround(from.x + t * (to.x - from.x))),
-                         static_cast<int>(std::lround(from.y + t * (to.y - from.y)))});
-    }
-    return cells;
+    return DiagramDivider(std::move(doors), voronoi, grid, obstacles, distances,
+                          m_options.min_radius / grid.resolution_m())
+        .divide();
 }
 }  // namespace gr2to

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "gr2to/base/errors.h"
+#include "gr2to/grid/Jambs.h"
 #include "gr2to/grid/Partition.h"
 #include "gr2to/topology/CorridorMerging.h"
 #include "gr2to/topology/Octagon.h"
@@ -41,7 +42,7 @@ class MapMaker
     {
         for (const ValidatedDoor& door : graph.doors)
             for (const Cell c : door.line) {
-                if (grid.isFree(c)) m_closedCells.push_back(c);
+                m_borders.push_back(c);
                 m_closedGrid.set(c, CellState::Occupied);
             }
     }
@@ -93,7 +94,10 @@ class MapMaker
         for (std::size_t k = 0; k < placeOfCell.size(); ++k)
             if (const int circle = m_graph.circleOfCell[k]; circle >= 0)
                 placeOfCell[k] = m_idOfCircle[static_cast<std::size_t>(circle)];
-        m_result.places = partition(m_grid, m_voronoi, placeOfCell, m_closedCells);
+        for (const PlaceBorder& border : m_graph.borders)
+            if (m_idOfCircle[border.from] != m_idOfCircle[border.to])
+                m_borders.insert(m_borders.end(), border.line.begin(), border.line.end());
+        m_result.places = partition(m_grid, m_voronoi, placeOfCell, m_borders);
         m_cellsOfPlace.assign(m_drafts.size() + 1, 0);
         for (const PlaceId id : m_result.places.ids) ++m_cellsOfPlace[id];
     }
@@ -174,8 +178,7 @@ class MapMaker
             bool hit = false;
             for (int dy = -1; dy <= 1; ++dy)
                 for (int dx = -1; dx <= 1; ++dx) {
-                    const Cell c{static_cast<int>(std::lround(p.x())) + dx,
-                                 static_cast<int>(std::lround(p.y())) + dy};
+                    const Cell c{roundToCell(p.x()) + dx, roundToCell(p.y()) + dy};
                     if (!m_closedGrid.isOccupied(c)) continue;
                     hit = true;
                     support.insert(m_grid.index(c));
@@ -235,7 +238,7 @@ class MapMaker
     const PlaceGraph& m_graph;
     const TDelimitationOptions& m_options;
     ClassifiedGrid m_closedGrid;
-    std::vector<Cell> m_closedCells;
+    std::vector<Cell> m_borders;  //!< cells of closed doors, then of openings between places
     std::vector<PlaceDraft> m_drafts;
     std::vector<PlaceId> m_idOfCircle;
     std::vector<std::size_t> m_cellsOfPlace;

@@ -17,10 +17,15 @@ VoronoiExtractor::VoronoiExtractor(TVoronoiOptions options) : m_options(std::mov
     m_options.check();
 }
 
-VoronoiGraph VoronoiExtractor::extract(const ClassifiedGrid& grid, const DistanceMap& distances,
-                                       const NearestObstacles& nearest) const
+std::vector<Cell> VoronoiExtractor::measure(const ClassifiedGrid& grid, Obstacles obstacles,
+                                            DistanceMap& distances) const
 {
-    const double separation = m_options.min_separation / grid.resolution_m();
-    return traceGraph(thin(grid, distances, separatingCells(grid, distances, nearest, separation)));
+    return measureSeparation(grid, obstacles, m_options.min_separation / grid.resolution_m(), distances);
+}
+
+VoronoiGraph VoronoiExtractor::trace(const ClassifiedGrid& grid, const DistanceMap& distances,
+                                     const std::vector<Cell>& separating) const
+{
+    return traceGraph(thin(grid, distances, separating));
 }
 }  // namespace gr2to

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gr2to/grid/Jambs.h"
+
 namespace gr2to
 {
 namespace
@@ -24,8 +26,8 @@ Ray castRay(const ClassifiedGrid& grid, Cell from, const Eigen::Vector2d& direct
     const double step = 1.0 / direction.cwiseAbs().maxCoeff();
     double length = 0;
     for (int k = 1;; ++k) {
-        const Cell c{from.x + static_cast<int>(std::lround(k * step * direction.x())),
-                     from.y + static_cast<int>(std::lround(k * step * direction.y()))};
+        const Cell c{from.x + roundToCell(k * step * direction.x()),
+                     from.y + roundToCell(k * step * direction.y())};
         if (!grid.contains(c) || grid.at(c) == CellState::Unknown) return {length, false};
         length = k * step;
         if (grid.at(c) == CellState::Occupied) return {length, true};

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "gr2to/grid/ClassifiedGrid.h"
@@ -38,28 +39,28 @@ struct DistanceMap
     double clearance_cells(Cell c) const { return clearance_cells(index(c)); }
 };
 
-/** The obstacle cell nearest to each free cell. */
-struct NearestObstacles
+/** A cell packed into 32 bits: sides are below 2^16. */
+inline std::uint32_t packCell(int x, int y)
 {
-    std::vector<std::uint32_t> packed;  //!< column + 65536 * row of the obstacle; own position on obstacles
+    return static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16U;
+}
+inline Cell unpackCell(std::uint32_t packed)
+{
+    return {static_cast<int>(packed & 0xFFFFU), static_cast<int>(packed >> 16U)};
+}
 
-    static std::uint32_t pack(int x, int y)
-    {
-        return static_cast<std::uint32_t>(x) | static_cast<std::uint32_t>(y) << 16U;
-    }
-    Cell at(std::size_t i) const
-    {
-        return {static_cast<int>(packed[i] & 0xFFFFU), static_cast<int>(packed[i] >> 16U)};
-    }
-};
+/** Receives a row's nearest obstacles, packed; an entry counts on free cells that reach an obstacle. */
+using NearestObstacleRow = std::function<void(int y, const std::uint32_t* nearest)>;
 
 /** Measures the distance map in two passes over the cells (columns, then the lower envelope of parabolas of
  * each row).
  *
- * \param nearest  when not null, receives the nearest obstacle of every free cell; of several the leftmost
- * column's Cost: linear in the number of cells. Source: Gr2To paper, section 4, second stage; Meijster et
- * al., ISMM 2000; Maurer et al., PAMI 2003 (the envelope without divisions).
+ * \param onRow  called with the nearest obstacles of every row, from the bottom, once its distances are in
+ * `map`; of obstacles equally near one counts. They are not kept: whoever needs them uses them now. Cost:
+ * linear in the number of cells. Source: Gr2To paper, section 4, second stage; Meijster et al., ISMM 2000;
+ * Maurer et al., PAMI 2003 (the envelope without divisions).
  */
-DistanceMap measureDistances(const ClassifiedGrid& grid, Obstacles obstacles,
-                             NearestObstacles* nearest = nullptr);
+void measureDistances(const ClassifiedGrid& grid, Obstacles obstacles, DistanceMap& map,
+                      const NearestObstacleRow& onRow = {});
+DistanceMap measureDistances(const ClassifiedGrid& grid, Obstacles obstacles);
 }  // namespace gr2to

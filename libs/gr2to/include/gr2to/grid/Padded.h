@@ -24,6 +24,7 @@ class Padded
     int width() const { return m_width; }
     int height() const { return m_height; }
     std::size_t stride() const { return m_stride; }
+    std::size_t size() const { return m_values.size(); }  //!< with the border
     std::size_t index(Cell c) const
     {
         return (static_cast<std::size_t>(c.y) + 1) * m_stride + static_cast<std::size_t>(c.x) + 1;

@@ -7,15 +7,16 @@
 
 namespace gr2to
 {
-/** Gives every free cell the place of the nearest labelled cell of the Voronoi diagram, as the free space
- * allows.
+/** Gives every free cell a place: the one whose stretch of the Voronoi diagram lies in the same region
+ * between borders.
  *
- * Labels spread from the diagram at equal speed (steps over sides and over corners in turn, close to
- * Euclidean), never through the closed cells; those are filled last. Free cells that no label can reach, such
- * as pockets inside furniture or specks seen through a window, get the place that is nearest in a straight
- * line. \param placeOfCell  for each of VoronoiGraph::cells its place, 0 for none \param closed  cells of
- * closed doors Cost: linear in the number of cells.
+ * Borders are lines of cells from obstacle to obstacle across the diagram, such as closed doors. Where they
+ * fail to part two places, the places' labels spread from the diagram at equal speed and meet half-way. The
+ * border's own cells go to a place beside them. Free cells that no label can reach, such as pockets inside
+ * furniture or specks seen through a window, get the place that is nearest in a straight line. \param
+ * placeOfCell  for each of VoronoiGraph::cells its place, 0 for none \param borders  free cells, in any order
+ * Cost: linear in the number of cells.
  */
 PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
-                     const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& closed);
+                     const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& borders);
 }  // namespace gr2to

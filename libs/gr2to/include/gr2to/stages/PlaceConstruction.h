@@ -50,12 +50,9 @@ class PlaceBuilder
      * Every connected part of the diagram, cut at the doors, that holds a circle of `min_radius` has a place.
      */
     PlaceGraph build(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
-                     const DistanceMap& distances, double resolution_m) const;
+                     const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances) const;
 
  private:
     TPlaceOptions m_options;
 };
-
-/** Cells of the straight line between two cells, both included, 8-connected. */
-std::vector<Cell> lineCells(Cell from, Cell to);
 }  // namespace gr2to

@@ -26,9 +26,15 @@ class VoronoiExtractor
     /** \throws std::invalid_argument  an option is out of range */
     explicit VoronoiExtractor(TVoronoiOptions options);
 
-    /** Cost: linear in the number of cells. */
-    VoronoiGraph extract(const ClassifiedGrid& grid, const DistanceMap& distances,
-                         const NearestObstacles& nearest) const;
+    /** Measures the distance map and, in the same pass, the cells on which the diagram must pass.
+     * \param distances  receives the distance map
+     * \return separating cells for trace()
+     */
+    std::vector<Cell> measure(const ClassifiedGrid& grid, Obstacles obstacles, DistanceMap& distances) const;
+
+    /** Thins the free space to the diagram and follows its curves. Cost: linear in the number of cells. */
+    VoronoiGraph trace(const ClassifiedGrid& grid, const DistanceMap& distances,
+                       const std::vector<Cell>& separating) const;
 
  private:
     TVoronoiOptions m_options;

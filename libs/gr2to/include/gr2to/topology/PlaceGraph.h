@@ -21,7 +21,7 @@ struct ValidatedDoor
     CriticalPoint critical;
     Cell jambA;              //!< obstacle nearest to the critical point
     Cell jambB;              //!< nearest obstacle on the other side
-    std::vector<Cell> line;  //!< cells of the closed door, 8-connected, both jambs included
+    std::vector<Cell> line;  //!< free cells of the closed door, 8-connected from jamb to jamb
 };
 
 /** Two circles joined along the Voronoi diagram. */
@@ -34,12 +34,21 @@ struct PlaceLink
     int door = -1;               //!< index of the door that the link passes, -1 for an opening
 };
 
+/** A line across the Voronoi diagram where two circles' stretches of it meet without a door. */
+struct PlaceBorder
+{
+    std::size_t from = 0;  //!< index of a circle, smaller than `to`
+    std::size_t to = 0;
+    std::vector<Cell> line;  //!< free cells, 8-connected
+};
+
 /** Circles, doors and links: the topology that the fourth stage finds. */
 struct PlaceGraph
 {
     std::vector<Circle> circles;       //!< places before they are delimited, in raster order of their centres
     std::vector<ValidatedDoor> doors;  //!< in raster order of their critical points
     std::vector<PlaceLink> links;      //!< in the order of (from, to, position)
+    std::vector<PlaceBorder> borders;  //!< one for every opening that a link stands for
     /** For each of VoronoiGraph::cells the circle that it belongs to, or -1: on closed doors and in pockets
      * too small. */
     std::vector<int> circleOfCell;
