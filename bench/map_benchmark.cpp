@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -28,6 +29,13 @@ struct Settings
     int mostMcells = 64;
 };
 
+/** A grid that is made when it is needed, as not all fit the memory together. */
+struct Subject
+{
+    std::string name;
+    std::function<ClassifiedGrid()> make;
+};
+
 struct Measurement
 {
     double cells = 0;
@@ -40,32 +48,37 @@ struct Measurement
     double bytesPerCell = 0;  //!< the grid itself included
 };
 
-/** Measures memory first, while nothing is left over from earlier work, then both times in turn. */
-Measurement measure(const ClassifiedGrid& grid, const Settings& settings)
+std::size_t peakBytes(const Subject& subject, const Gr2To& gr2to)
 {
-    const Gr2To gr2to(Gr2ToOptions::preset(settings.preset));
-    Measurement m;
-    m.cells = static_cast<double>(grid.size());
     constexpr int SMALL_SIDE = 256;
-    const ClassifiedGrid small = floorOfSide(SMALL_SIDE);
-    const std::size_t peak = peakBytesOf([&] { gr2to.extract(small); }, [&] { gr2to.extract(grid); });
-    m.bytesPerCell = static_cast<double>(peak + grid.size() * sizeof(CellState)) / m.cells;
+    ClassifiedGrid grid;
+    const auto prepare = [&] {
+        gr2to.extract(floorOfSide(SMALL_SIDE));
+        grid = subject.make();
+    };
+    return peakBytesOf(prepare, [&] { gr2to.extract(grid); });
+}
 
+/** Runs both in turn, so that what else the machine does burdens both. */
+Measurement timeBoth(const ClassifiedGrid& grid, const Gr2To& gr2to, int rounds)
+{
     Yardstick yardstick(grid);
     std::vector<double> yardsticks;
     std::vector<double> pipelines;
     std::vector<double> ratios;
+    Extraction extraction;
     yardstick.run();
-    for (int round = 0; round < settings.rounds; ++round) {
-        Extraction extraction;
+    for (int round = 0; round < rounds; ++round) {
+        extraction = Extraction();
         yardsticks.push_back(cpuSecondsOf([&] { yardstick.run(); }));
         pipelines.push_back(cpuSecondsOf([&] { extraction = gr2to.extract(grid); }));
         ratios.push_back(pipelines.back() / yardsticks.back());
-        m.places = extraction.map.places().size();
-        m.doors = 0;
-        for (const Connection& connection : extraction.map.connections())
-            m.doors += connection.doorway.real ? 1 : 0;
     }
+    Measurement m;
+    m.cells = static_cast<double>(grid.size());
+    m.places = extraction.map.places().size();
+    for (const Connection& connection : extraction.map.connections())
+        m.doors += connection.doorway.real ? 1 : 0;
     m.yardstick_s = median(yardsticks);
     m.pipeline_s = median(pipelines);
     m.leastRatio = *std::min_element(ratios.begin(), ratios.end());
@@ -89,31 +102,55 @@ void print(const std::string& name, const Measurement& m)
     std::cout << "| " << name << row << std::endl;
 }
 
+/** Measures and prints a row each. All memory comes first, while this process has left no traces in its own.
+ */
+std::vector<Measurement> measure(const std::vector<Subject>& subjects, const Settings& settings)
+{
+    const Gr2To gr2to(Gr2ToOptions::preset(settings.preset));
+    std::vector<std::size_t> peaks;
+    for (const Subject& subject : subjects) peaks.push_back(peakBytes(subject, gr2to));
+    std::vector<Measurement> measurements;
+    printHead();
+    for (std::size_t i = 0; i < subjects.size(); ++i) {
+        const ClassifiedGrid grid = subjects[i].make();
+        Measurement m = timeBoth(grid, gr2to, settings.rounds);
+        m.bytesPerCell = static_cast<double>(peaks[i]) / m.cells + sizeof(CellState);
+        print(subjects[i].name, m);
+        measurements.push_back(m);
+    }
+    return measurements;
+}
+
+ClassifiedGrid readMap(const std::filesystem::path& path, const Settings& settings)
+{
+    TGridReaderOptions options;
+    if (path.extension() == ".png" || path.extension() == ".pgm") options.resolution = settings.resolution_m;
+    ClassifiedGrid grid = readGrid(path, options);
+    requireUsable(grid, path.string());
+    return settings.scale > 1 ? upscaled(grid, settings.scale) : grid;
+}
+
 void measureMaps(const Settings& settings)
 {
-    printHead();
-    for (const std::string& path : settings.maps) {
-        TGridReaderOptions options;
-        const std::string ending = std::filesystem::path(path).extension().string();
-        if (ending == ".png" || ending == ".pgm") options.resolution = settings.resolution_m;
-        ClassifiedGrid grid = readGrid(path, options);
-        requireUsable(grid, path);
-        if (settings.scale > 1) grid = upscaled(grid, settings.scale);
-        print(std::filesystem::path(path).filename().string(), measure(grid, settings));
-    }
+    std::vector<Subject> subjects;
+    for (const std::filesystem::path path : settings.maps)
+        subjects.push_back({path.filename().string(), [path, settings] { return readMap(path, settings); }});
+    measure(subjects, settings);
 }
 
 void measureGrowth(const Settings& settings)
 {
     constexpr int MCELL_SIDE = 1024;
     const Growth growth = settings.growth == "tiles" ? Growth::Tiles : Growth::Resolution;
-    std::vector<double> cells;
-    std::vector<double> seconds;
-    printHead();
+    std::vector<Subject> subjects;
     for (int factor = 1; factor * factor <= settings.mostMcells; factor *= 2) {
         const int side = MCELL_SIDE * factor;
-        const Measurement m = measure(floorOfSide(side, growth), settings);
-        print(settings.growth + " " + std::to_string(side), m);
+        subjects.push_back(
+            {settings.growth + " " + std::to_string(side), [=] { return floorOfSide(side, growth); }});
+    }
+    std::vector<double> cells;
+    std::vector<double> seconds;
+    for (const Measurement& m : measure(subjects, settings)) {
         cells.push_back(m.cells);
         seconds.push_back(m.pipeline_s);
     }

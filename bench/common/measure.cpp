@@ -10,6 +10,7 @@
 #include <ctime>
 #include <exception>
 #include <fstream>
+#include <iostream>
 #include <stdexcept>
 
 namespace gr2to::bench
@@ -32,18 +33,19 @@ std::size_t peakResidentBytes()
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-/** What the child does: the work, then its peak into the pipe. */
-bool reportPeak(const std::function<void()>& warmUp, const std::function<void()>& work, int pipe)
+/** What the child does; the work's peak goes into the pipe. */
+bool reportPeak(const std::function<void()>& prepare, const std::function<void()>& work, int pipe)
 {
     try {
-        warmUp();
-        ::malloc_trim(0);
+        prepare();
+        ::malloc_trim(0);  // reusing what was freed would not show
         const std::size_t before = residentBytes();
         work();
         const std::size_t peak = peakResidentBytes();
         const std::size_t grown = peak > before ? peak - before : 0;
         return ::write(pipe, &grown, sizeof grown) == static_cast<ssize_t>(sizeof grown);
-    } catch (const std::exception&) {
+    } catch (const std::exception& error) {
+        std::cerr << error.what() << "\n";
         return false;
     }
 }
@@ -84,7 +86,7 @@ double fittedExponent(const std::vector<double>& x, const std::vector<double>& y
     return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
-std::size_t peakBytesOf(const std::function<void()>& warmUp, const std::function<void()>& work)
+std::size_t peakBytesOf(const std::function<void()>& prepare, const std::function<void()>& work)
 {
     int ends[2];
     if (::pipe(ends) != 0) throw std::runtime_error("no pipe to the process that memory is measured in");
@@ -92,7 +94,7 @@ std::size_t peakBytesOf(const std::function<void()>& warmUp, const std::function
     if (child < 0) throw std::runtime_error("no process to measure memory in");
     if (child == 0) {
         ::close(ends[0]);
-        ::_exit(reportPeak(warmUp, work, ends[1]) ? 0 : 1);
+        ::_exit(reportPeak(prepare, work, ends[1]) ? 0 : 1);
     }
     ::close(ends[1]);
     std::size_t grown = 0;

@@ -28,10 +28,10 @@ double fittedExponent(const std::vector<double>& x, const std::vector<double>& y
 
 /** By how much the work raises the memory that the process holds, at its peak [bytes].
  *
- * The work runs in a child process, so that neither its memory nor its results stay behind; memory that this
- * process has freed already is given back first, as reusing it would not show. \param warmUp  done in the
- * child before counting begins, so that the pages of libraries do not count \throws std::runtime_error  the
- * child cannot be made, or the work fails in it
+ * Both steps run in a child process, so that nothing stays behind. What this process has freed already may be
+ * reused there unseen, or be in the way: measure memory before anything else. \param prepare  its memory does
+ * not count, nor do the pages of libraries that it touches \throws std::runtime_error  the child cannot be
+ * made, or a step fails in it
  */
-std::size_t peakBytesOf(const std::function<void()>& warmUp, const std::function<void()>& work);
+std::size_t peakBytesOf(const std::function<void()>& prepare, const std::function<void()>& work);
 }  // namespace gr2to::bench
