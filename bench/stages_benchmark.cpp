@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "common/Yardstick.h"
@@ -17,13 +18,14 @@ struct Floor
 {
     explicit Floor(int side) : grid(floorOfSide(side)), yardstick(grid)
     {
-        distances = measureDistances(grid, obstacles, &nearest);
+        const VoronoiExtractor extractor(options.voronoi);
+        separating = extractor.measure(grid, obstacles, distances);
         candidates = DoorDetector(options.door).detect(grid, distances);
-        voronoi = VoronoiExtractor(options.voronoi).extract(grid, distances, nearest);
+        voronoi = extractor.trace(grid, distances, separating);
         const PlaceBuilder builder(options.place);
         const auto points = builder.criticalPoints(voronoi, distances, grid.resolution_m());
-        graph = builder.build(builder.validate(candidates, points, grid, obstacles), voronoi, distances,
-                              grid.resolution_m());
+        graph = builder.build(builder.validate(candidates, points, grid, obstacles), voronoi, grid, obstacles,
+                              distances);
     }
 
     Gr2ToOptions options = Gr2ToOptions::preset("paper");
@@ -31,8 +33,8 @@ struct Floor
         options.distance.unknown_is_obstacle ? Obstacles::OccupiedOrUnknown : Obstacles::Occupied;
     ClassifiedGrid grid;
     Yardstick yardstick;
-    NearestObstacles nearest;
     DistanceMap distances;
+    std::vector<Cell> separating;
     std::vector<DoorCandidate> candidates;
     VoronoiGraph voronoi;
     PlaceGraph graph;
@@ -73,9 +75,19 @@ void opencvDistanceTransform(benchmark::State& state)
 void distanceMap(benchmark::State& state)
 {
     Floor& floor = floorFor(state);
+    timeStage(state, floor, [&] { return measureDistances(floor.grid, floor.obstacles); });
+}
+
+/** As the pipeline does it: the distance map and, in the same pass, the cells that part obstacles. */
+void distanceMapAndSeparatingCells(benchmark::State& state)
+{
+    Floor& floor = floorFor(state);
+    const VoronoiExtractor extractor(floor.options.voronoi);
     timeStage(state, floor, [&] {
-        NearestObstacles nearest;
-        return measureDistances(floor.grid, floor.obstacles, &nearest);
+        DistanceMap distances;
+        std::vector<Cell> separating = extractor.measure(floor.grid, floor.obstacles, distances);
+        benchmark::DoNotOptimize(separating);
+        return distances;
     });
 }
 
@@ -90,18 +102,17 @@ void voronoiExtraction(benchmark::State& state)
 {
     Floor& floor = floorFor(state);
     const VoronoiExtractor extractor(floor.options.voronoi);
-    timeStage(state, floor, [&] { return extractor.extract(floor.grid, floor.distances, floor.nearest); });
+    timeStage(state, floor, [&] { return extractor.trace(floor.grid, floor.distances, floor.separating); });
 }
 
 void placeConstruction(benchmark::State& state)
 {
     Floor& floor = floorFor(state);
     const PlaceBuilder builder(floor.options.place);
-    const double resolution_m = floor.grid.resolution_m();
     timeStage(state, floor, [&] {
-        const auto points = builder.criticalPoints(floor.voronoi, floor.distances, resolution_m);
-        return builder.build(builder.validate(floor.candidates, points, floor.grid, floor.obstacles),
-                             floor.voronoi, floor.distances, resolution_m);
+        const auto points = builder.criticalPoints(floor.voronoi, floor.distances, floor.grid.resolution_m());
+        auto doors = builder.validate(floor.candidates, points, floor.grid, floor.obstacles);
+        return builder.build(std::move(doors), floor.voronoi, floor.grid, floor.obstacles, floor.distances);
     });
 }
 
@@ -121,6 +132,7 @@ void sides(benchmark::internal::Benchmark* benchmark)
 
 BENCHMARK(opencvDistanceTransform)->Apply(sides);
 BENCHMARK(distanceMap)->Apply(sides);
+BENCHMARK(distanceMapAndSeparatingCells)->Apply(sides);
 BENCHMARK(doorDetection)->Apply(sides);
 BENCHMARK(voronoiExtraction)->Apply(sides);
 BENCHMARK(placeConstruction)->Apply(sides);
