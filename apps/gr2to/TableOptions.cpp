@@ -62,7 +62,7 @@ std::string termsOf(const OptionTable& table, const OptionField& field)
     if (!field.rangeText().empty()) terms += "range " + field.rangeText() + ", ";
     terms += "default " + field.valueText();
     for (const auto& [preset, value] : presetValues(table.section(), field))
-        terms += ", " + value + " with preset " + preset;
+        terms.append(", ").append(value).append(" with preset ").append(preset);
     return "(" + terms + ")";
 }
 

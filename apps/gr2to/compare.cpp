@@ -117,13 +117,13 @@ GridFrame Compare::frameOf(const TopologicalMap& map, const std::optional<Classi
 fs::path Compare::placesFile(const std::optional<fs::path>& file) const
 {
     std::error_code ignored;
-    const fs::path map = m_map;
+    fs::path map = m_map;
     const bool isImage = !file && !fs::is_directory(map, ignored);
     if (!m_places.empty() && isImage)
         throw InputError("'" + m_map + "' is an image of places already; remove --places");
     if (!m_places.empty()) return m_places;
     if (isImage) return map;
-    const fs::path beside = (file ? file->parent_path() : map) / PLACES;
+    fs::path beside = (file ? file->parent_path() : map) / PLACES;
     if (!fs::exists(beside, ignored))
         throw InputError("'" + m_map + "' has no places.png beside it; name the image with --places FILE");
     return beside;
