@@ -37,7 +37,12 @@ class MapMaker
  public:
     MapMaker(const ClassifiedGrid& grid, const VoronoiGraph& voronoi, const PlaceGraph& graph,
              const TDelimitationOptions& options)
-        : m_grid(grid), m_voronoi(voronoi), m_graph(graph), m_options(options), m_closedGrid(grid)
+        : m_grid(grid),
+          m_voronoi(voronoi),
+          m_graph(graph),
+          m_options(options),
+          m_closedGrid(grid),
+          m_neighbours(graph.circles.size())
     {
         for (const ValidatedDoor& door : graph.doors)
             for (const Cell c : door.line) {
@@ -48,6 +53,10 @@ class MapMaker
 
     DelimitedSpace make()
     {
+        for (const PlaceLink& link : m_graph.links) {
+            m_neighbours[link.from].push_back(m_graph.circles[link.to]);
+            m_neighbours[link.to].push_back(m_graph.circles[link.from]);
+        }
         draftPlaces();
         partitionCells();
         m_result.map.resolution_m = m_grid.resolution_m();
@@ -129,20 +138,10 @@ class MapMaker
     {
         std::vector<Eigen::Vector2d> vertices;
         for (const std::size_t c : draft.circles) {
-            const Octagon octagon = growOctagon(m_closedGrid, m_graph.circles[c], neighboursOf(c));
+            const Octagon octagon = growOctagon(m_closedGrid, m_graph.circles[c], m_neighbours[c]);
             vertices.insert(vertices.end(), octagon.begin(), octagon.end());
         }
         return draft.circles.size() > 1 ? convexHull(std::move(vertices)) : vertices;
-    }
-
-    std::vector<Circle> neighboursOf(std::size_t circle) const
-    {
-        std::vector<Circle> neighbours;
-        for (const PlaceLink& link : m_graph.links) {
-            if (link.from == circle) neighbours.push_back(m_graph.circles[link.to]);
-            if (link.to == circle) neighbours.push_back(m_graph.circles[link.from]);
-        }
-        return neighbours;
     }
 
     Wall wallBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -243,6 +242,7 @@ class MapMaker
     const PlaceGraph& m_graph;
     const TDelimitationOptions& m_options;
     ClassifiedGrid m_closedGrid;
+    std::vector<std::vector<Circle>> m_neighbours;  //!< circles joined to each circle
     std::vector<Cell> m_borders;  //!< cells of closed doors, then of openings between places
     std::vector<PlaceDraft> m_drafts;
     std::vector<PlaceId> m_idOfCircle;

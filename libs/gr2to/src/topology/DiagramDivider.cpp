@@ -32,11 +32,13 @@ PlaceGraph DiagramDivider::divide()
 {
     const std::vector<Circle> found = findCircles();
     do {
-        m_graph.circles = found;
-        blockDoors();
-        addMissingCircles();
+        do {
+            m_graph.circles = found;
+            blockDoors();
+            m_graph.circleOfCell = addMissingCircles();
+        } while (dropUselessDoors());  // a side of theirs is too narrow for a place
         m_graph.circleOfCell = m_curves.growCircles(m_graph.circles, m_blocked);
-    } while (dropUselessDoors());
+    } while (dropUselessDoors());  // both sides of theirs are the same place
     linkAtOpenings();
     linkAtDoors();
     sortLinks();
@@ -73,11 +75,14 @@ void DiagramDivider::blockDoors()
             if (const int i = m_curves.find(c); i >= 0) m_blocked[static_cast<std::size_t>(i)] = true;
 }
 
-/** A part without a circle gets the one of its widest cell when that is wide enough for a place. */
-void DiagramDivider::addMissingCircles()
+/** A part without a circle gets the one of its widest cell when that is wide enough for a place.
+ * \return for each cell of the diagram a number of its part, for doors to tell their sides apart; -1 in parts
+ * too narrow
+ */
+std::vector<int> DiagramDivider::addMissingCircles()
 {
     int parts = 0;
-    const std::vector<int> partOf = m_curves.parts(m_blocked, &parts);
+    std::vector<int> partOf = m_curves.parts(m_blocked, &parts);
     std::vector<bool> hasCircle(static_cast<std::size_t>(parts), false);
     std::vector<Circle> widest(hasCircle.size());
     for (const Circle& circle : m_graph.circles)
@@ -93,9 +98,14 @@ void DiagramDivider::addMissingCircles()
         if (!hasCircle[p] && widest[p].radius_cells >= m_minRadius) m_graph.circles.push_back(widest[p]);
     std::sort(m_graph.circles.begin(), m_graph.circles.end(),
               [](const Circle& a, const Circle& b) { return rasterLess(a.center, b.center); });
+    for (int& part : partOf)
+        if (part >= 0 && !hasCircle[static_cast<std::size_t>(part)] &&
+            widest[static_cast<std::size_t>(part)].radius_cells < m_minRadius)
+            part = -1;
+    return partOf;
 }
 
-/** Circles on the sides of a door, in order; -1 among them when a side leads to a pocket without a place.
+/** What circleOfCell has on the sides of a door, in order; -1 among it when a side is too narrow for a place.
  */
 std::set<int> DiagramDivider::sidesOf(const ValidatedDoor& door) const
 {

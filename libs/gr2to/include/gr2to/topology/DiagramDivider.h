@@ -30,7 +30,7 @@ class DiagramDivider
  private:
     std::vector<Circle> findCircles() const;
     void blockDoors();
-    void addMissingCircles();
+    std::vector<int> addMissingCircles();
     std::set<int> sidesOf(const ValidatedDoor& door) const;
     bool dropUselessDoors();
     void linkAtOpenings();
