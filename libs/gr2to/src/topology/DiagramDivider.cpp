@@ -31,14 +31,16 @@ DiagramDivider::DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGr
 PlaceGraph DiagramDivider::divide()
 {
     const std::vector<Circle> found = findCircles();
+    const auto leadsNowhere = [](const std::set<int>& sides) { return sides.empty() || *sides.begin() < 0; };
+    const auto leadsBack = [](const std::set<int>& sides) { return sides.size() < 2 || *sides.begin() < 0; };
     do {
         do {
             m_graph.circles = found;
             blockDoors();
             m_graph.circleOfCell = addMissingCircles();
-        } while (dropUselessDoors());  // a side of theirs is too narrow for a place
+        } while (dropDoors(leadsNowhere));
         m_graph.circleOfCell = m_curves.growCircles(m_graph.circles, m_blocked);
-    } while (dropUselessDoors());  // both sides of theirs are the same place
+    } while (dropDoors(leadsBack));
     linkAtOpenings();
     linkAtDoors();
     sortLinks();
@@ -120,13 +122,10 @@ std::set<int> DiagramDivider::sidesOf(const ValidatedDoor& door) const
     return sides;
 }
 
-bool DiagramDivider::dropUselessDoors()
+bool DiagramDivider::dropDoors(const std::function<bool(const std::set<int>& sides)>& useless)
 {
-    const auto isUseless = [&](const ValidatedDoor& door) {
-        const std::set<int> sides = sidesOf(door);
-        return sides.size() < 2 || *sides.begin() < 0;
-    };
-    const auto last = std::remove_if(m_graph.doors.begin(), m_graph.doors.end(), isUseless);
+    const auto last = std::remove_if(m_graph.doors.begin(), m_graph.doors.end(),
+                                     [&](const ValidatedDoor& door) { return useless(sidesOf(door)); });
     const bool dropped = last != m_graph.doors.end();
     m_graph.doors.erase(last, m_graph.doors.end());
     return dropped;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -32,7 +33,7 @@ class DiagramDivider
     void blockDoors();
     std::vector<int> addMissingCircles();
     std::set<int> sidesOf(const ValidatedDoor& door) const;
-    bool dropUselessDoors();
+    bool dropDoors(const std::function<bool(const std::set<int>& sides)>& useless);
     void linkAtOpenings();
     void addOpening(int a, int b, Cell at);
     void addBorder(int a, int b, Cell at);
