@@ -24,6 +24,15 @@ mrpt::math::CMatrixDouble33 inSpace(const Eigen::Matrix2d& plane)
     return m;
 }
 
+double widestDoor(const PlaceGraph& graph)
+{
+    double widest = 0;
+    for (const ValidatedDoor& door : graph.doors)
+        widest = std::max(widest, distance_cells(door.jambA, door.critical.cell) +
+                                      distance_cells(door.critical.cell, door.jambB));
+    return widest;
+}
+
 /** Circles that were merged to one place, and what the map says of it. */
 struct PlaceDraft
 {
@@ -35,13 +44,14 @@ struct PlaceDraft
 class MapMaker
 {
  public:
-    MapMaker(const ClassifiedGrid& grid, const VoronoiGraph& voronoi, const PlaceGraph& graph,
-             const TDelimitationOptions& options)
+    MapMaker(const ClassifiedGrid& grid, const DistanceMap& distances, const VoronoiGraph& voronoi,
+             const PlaceGraph& graph, const TDelimitationOptions& options)
         : m_grid(grid),
           m_voronoi(voronoi),
           m_graph(graph),
           m_options(options),
           m_closedGrid(grid),
+          m_grower(m_closedGrid, distances, widestDoor(graph)),
           m_neighbours(graph.circles.size())
     {
         for (const ValidatedDoor& door : graph.doors)
@@ -138,7 +148,7 @@ class MapMaker
     {
         std::vector<Eigen::Vector2d> vertices;
         for (const std::size_t c : draft.circles) {
-            const Octagon octagon = growOctagon(m_closedGrid, m_graph.circles[c], m_neighbours[c]);
+            const Octagon octagon = m_grower.grow(m_graph.circles[c], m_neighbours[c]);
             vertices.insert(vertices.end(), octagon.begin(), octagon.end());
         }
         return draft.circles.size() > 1 ? convexHull(std::move(vertices)) : vertices;
@@ -242,6 +252,7 @@ class MapMaker
     const PlaceGraph& m_graph;
     const TDelimitationOptions& m_options;
     ClassifiedGrid m_closedGrid;
+    OctagonGrower m_grower;
     std::vector<std::vector<Circle>> m_neighbours;  //!< circles joined to each circle
     std::vector<Cell> m_borders;  //!< cells of closed doors, then of openings between places
     std::vector<PlaceDraft> m_drafts;
@@ -269,9 +280,9 @@ SpaceDelimiter::SpaceDelimiter(TDelimitationOptions options) : m_options(std::mo
     m_options.check();
 }
 
-DelimitedSpace SpaceDelimiter::delimit(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
-                                       const PlaceGraph& graph) const
+DelimitedSpace SpaceDelimiter::delimit(const ClassifiedGrid& grid, const DistanceMap& distances,
+                                       const VoronoiGraph& voronoi, const PlaceGraph& graph) const
 {
-    return MapMaker(grid, voronoi, graph, m_options).make();
+    return MapMaker(grid, distances, voronoi, graph, m_options).make();
 }
 }  // namespace gr2to
