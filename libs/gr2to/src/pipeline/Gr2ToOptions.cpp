@@ -21,10 +21,11 @@ std::vector<std::string> Gr2ToOptions::presets()
 Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 {
     Gr2ToOptions options;
-    if (name == "paper")
+    if (name == "paper") {
         options.distance.unknown_is_obstacle =
             false;  // "the euclidean distance to the nearest occupied cell"
-    else if (name != "default")
+        options.place.one_door_per_candidate = true;
+    } else if (name != "default")
         throw std::invalid_argument("unknown preset '" + name + "'; did you mean '" +
                                     nearestWord(name, presets()) + "'?");
     return options;
