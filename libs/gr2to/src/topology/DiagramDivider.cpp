@@ -50,15 +50,57 @@ PlaceGraph DiagramDivider::divide()
     return std::move(m_graph);
 }
 
+/** For each cell of the diagram how far the stretch of its clearance goes on, at least, to either side. */
+std::vector<int> DiagramDivider::depthInLevel() const
+{
+    const auto sameLevel = [&](std::size_t i, int n) {
+        return m_distances.squared[m_distances.index(m_curves.cell(i))] ==
+               m_distances.squared[m_distances.index(m_curves.cell(static_cast<std::size_t>(n)))];
+    };
+    std::vector<int> depth(m_curves.size(), -1);
+    std::vector<std::size_t> queue;
+    for (std::size_t i = 0; i < m_curves.size(); ++i)
+        for (const int n : m_curves.neighbours(i))
+            if (depth[i] < 0 && n >= 0 && !sameLevel(i, n)) {
+                depth[i] = 0;
+                queue.push_back(i);
+            }
+    for (std::size_t k = 0; k < queue.size(); ++k)
+        for (const int n : m_curves.neighbours(queue[k]))
+            if (n >= 0 && depth[static_cast<std::size_t>(n)] < 0) {
+                depth[static_cast<std::size_t>(n)] = depth[queue[k]] + 1;
+                queue.push_back(static_cast<std::size_t>(n));
+            }
+    return depth;
+}
+
+/** A circle for every cell that is wide enough, from large to small; of a level stretch the middle comes
+ * first, so that turning the grid does not move the circles along corridors. */
+std::vector<Circle> DiagramDivider::circlesBySize() const
+{
+    const std::vector<int> depth = depthInLevel();
+    struct Ranked
+    {
+        Circle circle;
+        int depth;
+    };
+    std::vector<Ranked> ranked;
+    for (std::size_t i = 0; i < m_curves.size(); ++i)
+        if (const double r = m_distances.clearance_cells(m_curves.cell(i)); r >= m_minRadius)
+            ranked.push_back({{m_curves.cell(i), r}, depth[i]});
+    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+        return a.circle.radius_cells != b.circle.radius_cells ? a.circle.radius_cells > b.circle.radius_cells
+                                                              : a.depth > b.depth;
+    });
+    std::vector<Circle> circles;
+    for (const Ranked& r : ranked) circles.push_back(r.circle);
+    return circles;
+}
+
 /** Circles of all cells of the diagram, those of doors left out, thinned out by overlap and eq. (9). */
 std::vector<Circle> DiagramDivider::findCircles() const
 {
-    std::vector<Circle> all;
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
-        if (const double r = m_distances.clearance_cells(m_curves.cell(i)); r >= m_minRadius)
-            all.push_back({m_curves.cell(i), r});
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Circle& a, const Circle& b) { return a.radius_cells > b.radius_cells; });
+    const std::vector<Circle> all = circlesBySize();
     CircleIndex doorways(m_distances.width, m_distances.height);
     for (const ValidatedDoor& door : m_graph.doors)
         doorways.add({door.critical.cell, door.critical.clearance_cells});

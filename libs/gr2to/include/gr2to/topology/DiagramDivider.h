@@ -37,6 +37,8 @@ class DiagramDivider
     PlaceGraph divide();
 
  private:
+    std::vector<int> depthInLevel() const;
+    std::vector<Circle> circlesBySize() const;
     std::vector<Circle> findCircles() const;
     void blockDoors();
     std::vector<int> addMissingCircles();
