@@ -227,6 +227,7 @@ PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
                      const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& borders)
 {
     std::vector<std::size_t> borderCells;
+    borderCells.reserve(borders.size());
     for (const Cell c : borders) borderCells.push_back(grid.index(c));
     std::sort(borderCells.begin(), borderCells.end());
     borderCells.erase(std::unique(borderCells.begin(), borderCells.end()), borderCells.end());
