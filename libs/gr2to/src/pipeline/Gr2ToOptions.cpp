@@ -60,7 +60,8 @@ void Gr2ToOptions::loadFrom(const mrpt::config::CConfigFileBase& source)
     for (const std::string& section : sections) {
         std::vector<std::string> keys;
         source.getAllKeys(section, keys);
-        for (const std::string& key : keys) set(section + "." + key, source.read_string(section, key, ""));
+        const std::string prefix = section + ".";
+        for (const std::string& key : keys) set(prefix + key, source.read_string(section, key, ""));
     }
     check();
 }
