@@ -10,7 +10,7 @@ import argparse
 from PIL import Image
 
 GAP_PX = 12
-MOST_COLOURS = 128
+MOST_COLOURS = 255
 
 
 def cropped(path, crop):
