@@ -29,4 +29,19 @@ std::vector<Circle> dropOverlapping(const std::vector<Circle>& circles, int widt
         if (!kept.anyWithin(circle, 1.0, [](const Circle&) { return true; })) kept.add(circle);
     return kept.circles();
 }
+
+std::vector<Circle> dropClose(const std::vector<Circle>& circles, const DistanceMap& distances)
+{
+    const double closeFactor = std::sqrt(2.0);
+    CircleIndex kept(distances.width, distances.height);
+    for (const Circle& circle : circles) {
+        const auto nothingNarrower = [&](const Circle& bigger) {
+            const Cell middle{(circle.center.x + bigger.center.x) / 2,
+                              (circle.center.y + bigger.center.y) / 2};
+            return distances.clearance_cells(middle) >= circle.radius_cells;
+        };
+        if (!kept.anyWithin(circle, closeFactor, nothingNarrower)) kept.add(circle);
+    }
+    return kept.circles();
+}
 }  // namespace gr2to

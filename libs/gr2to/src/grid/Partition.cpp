@@ -103,52 +103,53 @@ class Regions
 };
 
 /** Labels that spread over the unlabelled free cells, wave by wave: over sides and over corners in turn. */
-void spread(const ClassifiedGrid& grid, PlaceImage& image, std::vector<std::size_t> front)
+void spread(const ClassifiedGrid& grid, PlaceImage& image, std::vector<Cell> front)
 {
-    const auto enter = [&](int x, int y, PlaceId label, std::vector<std::size_t>& next) {
-        const Cell c{x, y};
+    std::vector<Cell> next;
+    const auto enter = [&](Cell c, PlaceId label) {
         if (!grid.isFree(c)) return false;
         PlaceId& there = image.ids[image.index(c)];
         if (there == 0) {
             there = label;
-            next.push_back(image.index(c));
+            next.push_back(c);
         }
         return true;
     };
-    bool overCorners = false;
-    std::vector<std::size_t> next;
-    while (!front.empty()) {
+    for (bool overCorners = false; !front.empty(); overCorners = !overCorners) {
         next.clear();
-        for (const std::size_t i : front) {
-            const Cell c = grid.cell(i);
-            const PlaceId label = image.ids[i];
-            const bool right = enter(c.x + 1, c.y, label, next), left = enter(c.x - 1, c.y, label, next);
-            const bool up = enter(c.x, c.y + 1, label, next), down = enter(c.x, c.y - 1, label, next);
+        for (const Cell c : front) {
+            const PlaceId label = image.at(c);
+            const bool right = enter({c.x + 1, c.y}, label), left = enter({c.x - 1, c.y}, label);
+            const bool up = enter({c.x, c.y + 1}, label), down = enter({c.x, c.y - 1}, label);
             if (!overCorners) continue;
             // Over a corner only past two free sides, so that no label slips through a diagonal wall.
-            if (right && up) enter(c.x + 1, c.y + 1, label, next);
-            if (left && up) enter(c.x - 1, c.y + 1, label, next);
-            if (right && down) enter(c.x + 1, c.y - 1, label, next);
-            if (left && down) enter(c.x - 1, c.y - 1, label, next);
+            if (right && up) enter({c.x + 1, c.y + 1}, label);
+            if (left && up) enter({c.x - 1, c.y + 1}, label);
+            if (right && down) enter({c.x + 1, c.y - 1}, label);
+            if (left && down) enter({c.x - 1, c.y - 1}, label);
         }
         front.swap(next);
-        overCorners = !overCorners;
     }
 }
 
-/** Labelled cells beside unlabelled free ones: where labels can spread from. */
-std::vector<std::size_t> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image)
+/** Labelled cells beside unlabelled free ones, in raster order: where labels can spread from. */
+std::vector<Cell> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image)
 {
     std::vector<std::size_t> rim;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid[i] != CellState::Free || image.ids[i] != 0) continue;
-        const Cell c = grid.cell(i);
-        for (const Cell n : {Cell{c.x + 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x - 1, c.y}, Cell{c.x, c.y - 1}})
-            if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
+    for (int y = 0; y < grid.height(); ++y) {
+        const CellState* cells = grid.row(y);
+        const PlaceId* ids = image.ids.data() + image.index({0, y});
+        for (int x = 0; x < grid.width(); ++x) {
+            if (cells[x] != CellState::Free || ids[x] != 0) continue;
+            for (const Cell n : {Cell{x + 1, y}, Cell{x, y + 1}, Cell{x - 1, y}, Cell{x, y - 1}})
+                if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
+        }
     }
     std::sort(rim.begin(), rim.end());
     rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-    return rim;
+    std::vector<Cell> cells;
+    for (const std::size_t i : rim) cells.push_back(grid.cell(i));
+    return cells;
 }
 
 /** Gives free cells that no label reaches the label that is nearest in a straight line, one for each patch of
@@ -168,7 +169,7 @@ class PatchFiller
             const PlaceId nearest = nearestLabel(m_grid.cell(i));
             if (nearest == 0) return fillAllAtOnce();
             m_image.ids[i] = nearest;
-            spread(m_grid, m_image, {i});
+            spread(m_grid, m_image, {m_grid.cell(i)});
         }
     }
 
@@ -238,11 +239,11 @@ PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
             if (placeOfCell[k] != 0) regions.claim(voronoi.cells[k], placeOfCell[k]);
         regions.paint(image);
     }
-    std::vector<std::size_t> front;  // in mixed regions the diagram's own labels spread
+    std::vector<Cell> front;  // in mixed regions the diagram's own labels spread
     for (std::size_t k = 0; k < voronoi.cells.size(); ++k)
         if (PlaceId& there = image.ids[voronoi.cells[k]]; there == 0 && placeOfCell[k] != 0) {
             there = placeOfCell[k];
-            front.push_back(voronoi.cells[k]);
+            front.push_back(grid.cell(voronoi.cells[k]));
         }
     spread(grid, image, std::move(front));
     spread(grid, image, rimOfLabels(grid, image));

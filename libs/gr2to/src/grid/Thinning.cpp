@@ -1,6 +1,7 @@
 #include "gr2to/grid/Thinning.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace gr2to
 {
@@ -91,10 +92,10 @@ class Thinner
             const CellState* cells = grid.row(y);
             const std::int32_t* squared = distances.squared.data() + grid.index({0, y});
             std::uint16_t* out = &m_cells[m_cells.index({0, y})];
+            // The distance of cells that are not free is 0, and so is their bucket.
+            for (int x = 0; x < grid.width(); ++x) out[x] = bucketOf(squared[x]);
             for (int x = 0; x < grid.width(); ++x)
-                out[x] = cells[x] == CellState::Free
-                             ? static_cast<std::uint16_t>(bucketOf(squared[x]) | kFigure)
-                             : std::uint16_t{0};
+                out[x] = static_cast<std::uint16_t>(out[x] | (cells[x] == CellState::Free ? kFigure : 0));
         }
         m_bandCells = m_cells.stride() * std::max<std::size_t>(1, kBandCells / m_cells.stride());
         m_bands.resize(m_cells.size() / m_bandCells + 1);
@@ -257,6 +258,20 @@ class Thinner
     std::size_t m_current = 0;
     std::size_t m_highest = 0;
 };
+/** Cells by whole cells of clearance, in the given order where it is the same. */
+std::vector<Cell> sortedByClearance(const std::vector<Cell>& cells, const DistanceMap& distances)
+{
+    const auto rank = [&](Cell c) { return static_cast<std::size_t>(distances.clearance_cells(c)); };
+    std::vector<std::size_t> start(2, 0);
+    for (const Cell c : cells) {
+        if (rank(c) + 2 > start.size()) start.resize(rank(c) + 2, 0);
+        ++start[rank(c) + 1];
+    }
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Cell> sorted(cells.size());
+    for (const Cell c : cells) sorted[start[rank(c)]++] = c;
+    return sorted;
+}
 }  // namespace
 
 bool isSimple(std::uint8_t neighbours)
@@ -264,76 +279,12 @@ bool isSimple(std::uint8_t neighbours)
     return simpleTable()[neighbours];
 }
 
-SeparationFinder::SeparationFinder(const ClassifiedGrid& grid, double minSeparation_cells)
-    : m_grid(grid),
-      m_minSquared(static_cast<std::int64_t>(std::ceil(minSeparation_cells * minSeparation_cells))),
-      m_nearestBelow(static_cast<std::size_t>(grid.width())),
-      m_squaredBelow(m_nearestBelow.size()),
-      m_below(m_nearestBelow.size(), 0),
-      m_current(m_nearestBelow.size(), 0)
-{
-}
-
-bool SeparationFinder::separated(std::uint32_t a, std::uint32_t b) const
-{
-    const Cell p = unpackCell(a), q = unpackCell(b);
-    const std::int64_t dx = p.x - q.x, dy = p.y - q.y;
-    return dx * dx + dy * dy >= m_minSquared;
-}
-
-void SeparationFinder::addRow(int y, const std::int32_t* squared, const std::uint32_t* nearest)
-{
-    const CellState* row = m_grid.row(y);
-    const CellState* rowBelow = y > 0 ? m_grid.row(y - 1) : nullptr;
-    const std::size_t width = m_current.size();
-    for (std::size_t x = 0; x < width; ++x) {
-        if (row[x] != CellState::Free) continue;
-        if (rowBelow && rowBelow[x] == CellState::Free && nearest[x] != m_nearestBelow[x] &&
-            separated(nearest[x], m_nearestBelow[x]))
-            (squared[x] > m_squaredBelow[x] ? m_current : m_below)[x] = 1;
-        if (x + 1 < width && row[x + 1] == CellState::Free && nearest[x] != nearest[x + 1] &&
-            separated(nearest[x], nearest[x + 1]))
-            m_current[squared[x + 1] > squared[x] ? x + 1 : x] = 1;
-    }
-    finishRow(y - 1);
-    m_below.swap(m_current);
-    std::fill(m_current.begin(), m_current.end(), std::uint8_t{0});
-    std::copy(nearest, nearest + width, m_nearestBelow.begin());
-    std::copy(squared, squared + width, m_squaredBelow.begin());
-}
-
-void SeparationFinder::finishRow(int y)
-{
-    for (std::size_t x = 0; x < m_below.size(); ++x)
-        if (m_below[x]) m_cells.push_back({static_cast<int>(x), y});
-}
-
-std::vector<Cell> SeparationFinder::take()
-{
-    finishRow(m_grid.height() - 1);
-    return std::move(m_cells);
-}
-
-std::vector<Cell> measureSeparation(const ClassifiedGrid& grid, Obstacles obstacles,
-                                    double minSeparation_cells, DistanceMap& distances)
-{
-    SeparationFinder finder(grid, minSeparation_cells);
-    measureDistances(grid, obstacles, distances, [&](int y, const std::uint32_t* nearest) {
-        finder.addRow(y, distances.squared.data() + distances.index({0, y}), nearest);
-    });
-    return finder.take();
-}
-
 Mask thin(const ClassifiedGrid& grid, const DistanceMap& distances, const std::vector<Cell>& anchors)
 {
     Thinner thinner(grid, distances);
     thinner.protect(anchors);
     thinner.thinAroundAnchors();
-    std::vector<Cell> byClearance = anchors;
-    std::stable_sort(byClearance.begin(), byClearance.end(), [&](Cell a, Cell b) {
-        return distances.squared[distances.index(a)] < distances.squared[distances.index(b)];
-    });
-    thinner.thinAnchors(byClearance);
+    thinner.thinAnchors(sortedByClearance(anchors, distances));
     return thinner.result();
 }
 }  // namespace gr2to

@@ -86,7 +86,8 @@ Extraction Gr2To::extract(const ClassifiedGrid& grid) const
                   {"doors", e.graph.doors.size()}},
                  bytesOf(e.graph.circleOfCell));
 
-    DelimitedSpace space = SpaceDelimiter(m_options.delimitation).delimit(grid, e.voronoi, e.graph);
+    DelimitedSpace space =
+        SpaceDelimiter(m_options.delimitation).delimit(grid, e.distances, e.voronoi, e.graph);
     e.places = std::move(space.places);
     e.map = std::move(space.map);
     clock.report("space delimitation",

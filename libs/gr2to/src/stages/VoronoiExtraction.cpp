@@ -1,5 +1,6 @@
 #include "gr2to/stages/VoronoiExtraction.h"
 
+#include "gr2to/grid/Separation.h"
 #include "gr2to/grid/Thinning.h"
 
 namespace gr2to

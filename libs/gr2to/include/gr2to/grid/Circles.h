@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/grid/DistanceMap.h"
 
 namespace gr2to
 {
@@ -87,4 +87,13 @@ class CircleIndex
  * disjoint. \param circles  sorted by falling radius
  */
 std::vector<Circle> dropOverlapping(const std::vector<Circle>& circles, int width, int height);
+
+/** Eq. (9): walks from big circles to small and drops those close to a kept one with nothing narrower
+ * between.
+ *
+ * Two circles are close when sqrt(2) times the sum of their radii exceeds their distance; nothing is narrower
+ * when the clearance half-way between them is at least the smaller radius. \param circles  sorted by falling
+ * radius
+ */
+std::vector<Circle> dropClose(const std::vector<Circle>& circles, const DistanceMap& distances);
 }  // namespace gr2to

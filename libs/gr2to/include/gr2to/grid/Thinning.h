@@ -14,40 +14,6 @@ namespace gr2to
  */
 bool isSimple(std::uint8_t neighbours);
 
-/** Finds the cells on which the Voronoi diagram must pass: next to them the nearest obstacle jumps by a
- * separation.
- *
- * Of two neighbouring cells the one with the larger clearance is taken, of equals the first in raster order.
- * It is fed row by row, while the distances are measured, so that the nearest obstacles need not be kept.
- */
-class SeparationFinder
-{
- public:
-    /** \param minSeparation_cells  of the two nearest obstacles */
-    SeparationFinder(const ClassifiedGrid& grid, double minSeparation_cells);
-
-    /** Takes the next row, from the bottom. \param squared  row of the distance map \param nearest  its
-     * obstacles */
-    void addRow(int y, const std::int32_t* squared, const std::uint32_t* nearest);
-    /** The cells, in raster order; they are two thick at most, see thin(). */
-    std::vector<Cell> take();
-
- private:
-    bool separated(std::uint32_t a, std::uint32_t b) const;
-    void finishRow(int y);
-
-    const ClassifiedGrid& m_grid;
-    std::int64_t m_minSquared;
-    std::vector<std::uint32_t> m_nearestBelow;
-    std::vector<std::int32_t> m_squaredBelow;
-    std::vector<std::uint8_t> m_below, m_current;  //!< marks of the last row and of this one
-    std::vector<Cell> m_cells;
-};
-
-/** Measures the distances and finds the separating cells in one go. */
-std::vector<Cell> measureSeparation(const ClassifiedGrid& grid, Obstacles obstacles,
-                                    double minSeparation_cells, DistanceMap& distances);
-
 /** Thins the free space to curves one cell wide, 4-connected, with the same components and holes.
  *
  * Cells are removed in the order of their clearance, smallest first, as long as the topology allows; the
