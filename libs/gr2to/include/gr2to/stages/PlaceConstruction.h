@@ -14,6 +14,9 @@ struct TPlaceOptions : OptionTable
     double critical_rise = 0.05;
     double door_support = 0.25;
     double min_radius = 0.25;
+    bool meet_at_narrowest = true;
+    double min_depth = 0.75;
+    double narrow_opening = 1.5;
 
     std::string section() const override { return "place"; }
     std::vector<OptionField> fields() override;
