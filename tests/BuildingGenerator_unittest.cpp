@@ -8,7 +8,6 @@
 #include "support/buildingMeasures.h"
 
 using gr2to::Cell;
-using gr2to::CellState;
 using gr2to::PlaceId;
 using namespace gr2to::test;
 

@@ -34,7 +34,7 @@ class RosMap : public testing::Test
                                                               {"negate", "0"},
                                                               {"occupied_thresh", "0.65"},
                                                               {"free_thresh", "0.196"}})
-            if (name != key) text += name + ": " + good + "\n";
+            if (name != key) text.append(name).append(": ").append(good).append("\n");
         return m_folder.write("map.yaml", value.empty() ? text : text + key + ": " + value + "\n");
     }
     std::string drawingWith(const std::string& key, const std::string& value,

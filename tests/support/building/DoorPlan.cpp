@@ -72,8 +72,7 @@ class DoorPlanner
     std::vector<std::size_t> byCost()
     {
         std::vector<bool> suite;
-        for (std::size_t i = 0; i < m_plan.rooms.size(); ++i)
-            suite.push_back(!m_plan.rooms[i].corridor && m_random.chance(m_o.suites));
+        for (const auto& room : m_plan.rooms) suite.push_back(!room.corridor && m_random.chance(m_o.suites));
         std::vector<double> cost;
         for (const auto& wall : m_walls) {
             const int through = corridors(wall);

@@ -233,7 +233,8 @@ class Thinner
     {
         Band& band = m_bands[b];
         const std::size_t first = b * m_bandCells, last = first + m_bandCells;
-        for (std::size_t k = 0; k < band.working.size(); ++k) {
+        // The queue grows while it is walked.
+        for (std::size_t k = 0; k < band.working.size(); ++k) {  // NOLINT(modernize-loop-convert)
             const std::size_t i = band.working[k];
             m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kQueued);
             const std::uint8_t around = ring(i);

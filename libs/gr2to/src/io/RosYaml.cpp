@@ -126,7 +126,7 @@ class Keys
         const YAML::Node& node = require("image", "map.pgm");
         if (!node.IsScalar() || node.Scalar().empty() || node.IsNull())
             complain("image", node, "must be the path of a PGM or PNG image");
-        const fs::path stated(node.Scalar());
+        fs::path stated(node.Scalar());
         if (stated.is_absolute()) return stated;
         const fs::path normal = stated.lexically_normal();
         if (!normal.empty() && *normal.begin() == "..")

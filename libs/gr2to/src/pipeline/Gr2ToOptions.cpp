@@ -22,8 +22,12 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 {
     Gr2ToOptions options;
     if (name == "paper") {
+        options.filter.max_blob_area = 0;
         options.distance.unknown_is_obstacle =
             false;  // "the euclidean distance to the nearest occupied cell"
+        options.place.meet_at_narrowest = false;
+        options.place.min_depth = 1;
+        options.place.narrow_opening = 0;
         options.place.one_door_per_candidate = true;
     } else if (name != "default")
         throw std::invalid_argument("unknown preset '" + name + "'; did you mean '" +
@@ -33,7 +37,7 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 
 std::vector<OptionTable*> Gr2ToOptions::tables()
 {
-    return {&distance, &door, &voronoi, &place, &delimitation};
+    return {&filter, &distance, &door, &voronoi, &place, &delimitation};
 }
 
 void Gr2ToOptions::set(const std::string& key, const std::string& value)
@@ -56,7 +60,8 @@ void Gr2ToOptions::loadFrom(const mrpt::config::CConfigFileBase& source)
     for (const std::string& section : sections) {
         std::vector<std::string> keys;
         source.getAllKeys(section, keys);
-        for (const std::string& key : keys) set(section + "." + key, source.read_string(section, key, ""));
+        const std::string prefix = section + ".";
+        for (const std::string& key : keys) set(prefix + key, source.read_string(section, key, ""));
     }
     check();
 }

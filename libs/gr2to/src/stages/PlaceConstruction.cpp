@@ -7,6 +7,7 @@
 #include "gr2to/grid/CriticalPoints.h"
 #include "gr2to/grid/Jambs.h"
 #include "gr2to/topology/DiagramDivider.h"
+#include "gr2to/topology/ShallowMerging.h"
 
 namespace gr2to
 {
@@ -75,6 +76,26 @@ class SupportFinder
     std::unordered_map<std::int64_t, std::vector<std::size_t>> m_buckets;
 };
 
+ValidatedDoor makeDoor(const ClassifiedGrid& grid, const CriticalPoint& point, const Jambs& jambs)
+{
+    return {point, jambs.nearest, jambs.facing, criticalLine(grid, point.cell, jambs)};
+}
+
+/** Makes doors of links at openings between jambs whose clear width is that of a door. */
+void makeNarrowOpeningsDoors(const ClassifiedGrid& grid, Obstacles obstacles, double minWidth,
+                             double maxWidth, PlaceGraph& graph)
+{
+    for (PlaceLink& link : graph.links) {
+        if (link.door >= 0) continue;
+        const auto jambs = findJambs(grid, obstacles, link.at, link.clearance_cells);
+        if (!jambs) continue;
+        const double clearWidth = distance_cells(jambs->nearest, jambs->facing) - 1;
+        if (clearWidth < minWidth || clearWidth > maxWidth) continue;
+        link.door = static_cast<int>(graph.doors.size());
+        graph.doors.push_back(makeDoor(grid, {link.at, link.clearance_cells}, *jambs));
+    }
+}
+
 /** Takes the supporting points that are as narrow as a door and whose circles hold no narrower one's centre.
  */
 void addSeparateDoors(const std::vector<CriticalPoint>& points, const std::vector<int>& narrowestFirst,
@@ -97,16 +118,26 @@ void addSeparateDoors(const std::vector<CriticalPoint>& points, const std::vecto
 
 std::vector<OptionField> TPlaceOptions::fields()
 {
-    return {{"critical_rise", &critical_rise, "m",
-             "A critical point's clearance rises by at least this to both sides (and by a cell, whatever its "
-             "size).",
-             0, 5},
-            {"door_support", &door_support, "m",
-             "A critical point supports a door candidate within this distance.", 0, 5},
-            {"one_door_per_candidate", &one_door_per_candidate, "",
-             "Whether likely cells that chain together are one door, or as many as critical points support."},
-            {"min_radius", &min_radius, "m", "Smallest circle that makes a place: half the narrowest door.",
-             0.05, 10}};
+    return {
+        {"critical_rise", &critical_rise, "m",
+         "A critical point's clearance rises by at least this to both sides (and by a cell, whatever its "
+         "size).",
+         0, 5},
+        {"door_support", &door_support, "m",
+         "A critical point supports a door candidate within this distance.", 0, 5},
+        {"one_door_per_candidate", &one_door_per_candidate, "",
+         "Whether likely cells that chain together are one door, or as many as critical points support."},
+        {"min_radius", &min_radius, "m", "Smallest circle that makes a place: half the narrowest door.", 0.05,
+         10},
+        {"meet_at_narrowest", &meet_at_narrowest, "",
+         "Whether places without a door between them meet where it is narrowest, not half-way between their "
+         "rims."},
+        {"min_depth", &min_depth, "ratio",
+         "Places merge across a narrowing wider than this part of the smaller one; 1 merges none.", 0, 1},
+        {"narrow_opening", &narrow_opening, "m",
+         "An opening between two jambs no wider than this is a door, whether eq. (8) saw it or not; 0 trusts "
+         "eq. (8).",
+         0, 20}};
 }
 
 PlaceBuilder::PlaceBuilder(TPlaceOptions options) : m_options(std::move(options))
@@ -139,8 +170,7 @@ std::vector<ValidatedDoor> PlaceBuilder::validate(const std::vector<DoorCandidat
         const CriticalPoint& point = points[static_cast<std::size_t>(p)];
         const auto jambs = findJambs(grid, obstacles, point.cell, point.clearance_cells);
         if (!jambs) continue;
-        ValidatedDoor door{point, jambs->nearest, jambs->facing, criticalLine(grid, point.cell, *jambs)};
-        doors.push_back(std::move(door));
+        doors.push_back(makeDoor(grid, point, *jambs));
     }
     return doors;
 }
@@ -149,8 +179,15 @@ PlaceGraph PlaceBuilder::build(std::vector<ValidatedDoor> doors, const VoronoiGr
                                const ClassifiedGrid& grid, Obstacles obstacles,
                                const DistanceMap& distances) const
 {
-    return DiagramDivider(std::move(doors), voronoi, grid, obstacles, distances,
-                          m_options.min_radius / grid.resolution_m())
-        .divide();
+    const MeetingRule meeting = m_options.meet_at_narrowest ? MeetingRule::Narrowest : MeetingRule::HalfWay;
+    PlaceGraph graph = DiagramDivider(std::move(doors), voronoi, grid, obstacles, distances,
+                                      m_options.min_radius / grid.resolution_m(), meeting)
+                           .divide();
+    if (m_options.min_depth < 1) graph = mergeShallow(graph, m_options.min_depth);
+    const double narrow = m_options.narrow_opening / grid.resolution_m();
+    if (narrow > 0)
+        makeNarrowOpeningsDoors(grid, obstacles, 2 * m_options.min_radius / grid.resolution_m(), narrow,
+                                graph);
+    return graph;
 }
 }  // namespace gr2to

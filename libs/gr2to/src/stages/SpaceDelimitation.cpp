@@ -201,6 +201,7 @@ class MapMaker
         std::sort(support.begin(), support.end());
         support.erase(std::unique(support.begin(), support.end()), support.end());
         std::vector<Eigen::Vector2d> points;
+        points.reserve(support.size());
         for (const std::size_t i : support) points.push_back(m_grid.frame().toMap(m_grid.cell(i)));
         return points;
     }

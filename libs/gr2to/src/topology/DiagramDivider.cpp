@@ -17,12 +17,13 @@ bool rasterLess(Cell a, Cell b)
 
 DiagramDivider::DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
                                const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
-                               double minRadius_cells)
+                               double minRadius_cells, MeetingRule meeting)
     : m_curves(voronoi),
       m_grid(grid),
       m_obstacles(obstacles),
       m_distances(distances),
       m_minRadius(minRadius_cells),
+      m_meeting(meeting),
       m_blocked(m_curves.size())
 {
     m_graph.doors = std::move(doors);
@@ -39,7 +40,9 @@ PlaceGraph DiagramDivider::divide()
             blockDoors();
             m_graph.circleOfCell = addMissingCircles();
         } while (dropDoors(leadsNowhere));
-        m_graph.circleOfCell = m_curves.growCircles(m_graph.circles, m_blocked);
+        m_graph.circleOfCell = m_meeting == MeetingRule::HalfWay
+                                   ? m_curves.growCircles(m_graph.circles, m_blocked)
+                                   : m_curves.floodCircles(m_graph.circles, m_blocked, m_distances);
     } while (dropDoors(leadsBack));
     linkAtOpenings();
     linkAtDoors();

@@ -35,8 +35,7 @@ class CircleIndex
     template <class Predicate>
     bool anyWithin(const Circle& circle, double factor, const Predicate& predicate) const
     {
-        for (std::size_t l = 0; l < m_levels.size(); ++l) {
-            const Level& level = m_levels[l];
+        for (const Level& level : m_levels) {
             if (level.heads.empty()) continue;
             // A circle of this level is smaller than half a bucket; see add().
             const double reach = factor * (level.side / 2.0 + circle.radius_cells);

@@ -15,6 +15,9 @@ struct TPlaceOptions : OptionTable
     double door_support = 0.25;
     bool one_door_per_candidate = false;
     double min_radius = 0.25;
+    bool meet_at_narrowest = true;
+    double min_depth = 0.75;
+    double narrow_opening = 1.5;
 
     std::string section() const override { return "place"; }
     std::vector<OptionField> fields() override;

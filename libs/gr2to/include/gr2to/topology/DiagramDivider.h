@@ -12,6 +12,13 @@
 
 namespace gr2to
 {
+/** Where two circles meet along the Voronoi diagram when no door parts them. */
+enum class MeetingRule : std::uint8_t
+{
+    HalfWay,   //!< at equal distances from their rims, as eq. (10) limits the octagons
+    Narrowest  //!< at the narrowest cell between them
+};
+
 /** Parts the Voronoi diagram at its doors and among circles, until every door parts two places.
  *
  * Circles are those of the diagram's cells, thinned out by overlap and eq. (9); those inside a doorway are
@@ -24,7 +31,8 @@ class DiagramDivider
     /** \param obstacles  what the distances were measured to  \param minRadius_cells  of a circle that makes
      * a place */
     DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
-                   Obstacles obstacles, const DistanceMap& distances, double minRadius_cells);
+                   Obstacles obstacles, const DistanceMap& distances, double minRadius_cells,
+                   MeetingRule meeting);
 
     PlaceGraph divide();
 
@@ -47,6 +55,7 @@ class DiagramDivider
     Obstacles m_obstacles;
     const DistanceMap& m_distances;
     double m_minRadius;
+    MeetingRule m_meeting;
     std::vector<bool> m_blocked;  //!< cells of the diagram on doors
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> m_linksOf;
     PlaceGraph m_graph;
