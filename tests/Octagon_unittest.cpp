@@ -33,13 +33,6 @@ double areaOf(const std::vector<Eigen::Vector2d>& polygon)
     }
     return twice / 2;
 }
-
-/** Grows one octagon; no door is closed. */
-Octagon growOctagon(const ClassifiedGrid& grid, const Circle& circle, const std::vector<Circle>& neighbours)
-{
-    const DistanceMap distances = measureDistances(grid, Obstacles::OccupiedOrUnknown);
-    return OctagonGrower(grid, distances, 0).grow(circle, neighbours);
-}
 }  // namespace
 
 TEST(Octagon, reachesIntoTheCornersOfARoom)
