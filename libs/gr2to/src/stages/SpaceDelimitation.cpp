@@ -24,15 +24,6 @@ mrpt::math::CMatrixDouble33 inSpace(const Eigen::Matrix2d& plane)
     return m;
 }
 
-double widestDoor(const PlaceGraph& graph)
-{
-    double widest = 0;
-    for (const ValidatedDoor& door : graph.doors)
-        widest = std::max(widest, distance_cells(door.jambA, door.critical.cell) +
-                                      distance_cells(door.critical.cell, door.jambB));
-    return widest;
-}
-
 /** Circles that were merged to one place, and what the map says of it. */
 struct PlaceDraft
 {
@@ -51,7 +42,7 @@ class MapMaker
           m_graph(graph),
           m_options(options),
           m_closedGrid(grid),
-          m_grower(m_closedGrid, distances, widestDoor(graph)),
+          m_grower(m_closedGrid, distances, widestDoor_cells(graph)),
           m_neighbours(graph.circles.size())
     {
         for (const ValidatedDoor& door : graph.doors)
