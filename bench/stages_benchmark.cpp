@@ -120,7 +120,8 @@ void spaceDelimitation(benchmark::State& state)
 {
     Floor& floor = floorFor(state);
     const SpaceDelimiter delimiter(floor.options.delimitation);
-    timeStage(state, floor, [&] { return delimiter.delimit(floor.grid, floor.voronoi, floor.graph); });
+    timeStage(state, floor,
+              [&] { return delimiter.delimit(floor.grid, floor.distances, floor.voronoi, floor.graph); });
 }
 
 /** Sides of 512 to 4096 cells: 0.26 to 16.8 million cells. */

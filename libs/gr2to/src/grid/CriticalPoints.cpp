@@ -35,7 +35,7 @@ class ValleyFinder
                 valley.extend(k, v, before);
                 if (v < valley.clearance + m_minRise) continue;
                 if (!first || valley.before >= valley.clearance + m_minRise ||
-                    climbs(edge.from, edgeIndex, valley.clearance))
+                    climbs(edgeIndex, true, valley.clearance))
                     add(edge, valley);
                 first = false;
                 descending = false;
@@ -47,8 +47,8 @@ class ValleyFinder
             }
         }
         const bool leftRises = !first || valley.before >= valley.clearance + m_minRise ||
-                               climbs(edge.from, edgeIndex, valley.clearance);
-        if (descending && leftRises && climbs(edge.to, edgeIndex, valley.clearance)) add(edge, valley);
+                               climbs(edgeIndex, true, valley.clearance);
+        if (descending && leftRises && climbs(edgeIndex, false, valley.clearance)) add(edge, valley);
     }
 
     std::vector<CriticalPoint> take()
@@ -86,11 +86,15 @@ class ValleyFinder
         m_points.push_back({edge.cells[(valley.firstCell + valley.lastCell) / 2], valley.clearance});
     }
 
-    /** Whether the clearance rises enough beyond a node, by other edges, without first falling below `level`.
+    /** Whether the clearance rises enough beyond an end of an edge, without first falling below `level`.
+     *
+     * The way leads over other edges; beyond the end of a loop it also leads back into its other end.
      */
-    bool climbs(std::size_t node, std::size_t throughEdge, double level) const
+    bool climbs(std::size_t throughEdge, bool atFront, double level) const
     {
-        if (m_voronoi.edges[throughEdge].from == m_voronoi.edges[throughEdge].to) return false;
+        const VoronoiEdge& through = m_voronoi.edges[throughEdge];
+        const std::size_t node = atFront ? through.from : through.to;
+        if (through.from == through.to && walk(through, !atFront, level) == Outcome::Rises) return true;
         std::vector<std::size_t> toVisit{node};
         std::vector<std::size_t> seen{throughEdge};
         while (!toVisit.empty()) {

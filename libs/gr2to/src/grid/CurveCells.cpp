@@ -1,6 +1,7 @@
 #include "gr2to/grid/CurveCells.h"
 
 #include <algorithm>
+#include <queue>
 
 namespace gr2to
 {
@@ -86,6 +87,43 @@ std::vector<int> CurveCells::growCircles(const std::vector<Circle>& circles,
         for (const int n : m_neighbours[entry.cell])
             if (n >= 0 && owner[static_cast<std::size_t>(n)] == none())
                 queue.push_back({entry.cost + 1.0, static_cast<std::size_t>(n), entry.circle});
+    }
+    return owner;
+}
+
+std::vector<int> CurveCells::floodCircles(const std::vector<Circle>& circles,
+                                          const std::vector<bool>& blocked,
+                                          const DistanceMap& distances) const
+{
+    struct Entry
+    {
+        std::int32_t squared;  //!< clearance of the cell
+        std::size_t order;     //!< of equals the first that was queued
+        std::size_t cell;
+        int circle;
+
+        bool operator<(const Entry& other) const
+        {
+            return squared != other.squared ? squared < other.squared : order > other.order;
+        }
+    };
+    std::priority_queue<Entry> queue;
+    std::size_t order = 0;
+    const auto push = [&](std::size_t i, int circle) {
+        queue.push({distances.squared[distances.index(cell(i))], order++, i, circle});
+    };
+    for (std::size_t c = 0; c < circles.size(); ++c)
+        if (const int i = find(circles[c].center); i >= 0)
+            push(static_cast<std::size_t>(i), static_cast<int>(c));
+    std::vector<int> owner(size(), none());
+    while (!queue.empty()) {
+        const Entry entry = queue.top();
+        queue.pop();
+        if (owner[entry.cell] != none() || blocked[entry.cell]) continue;
+        owner[entry.cell] = entry.circle;
+        for (const int n : m_neighbours[entry.cell])
+            if (n >= 0 && owner[static_cast<std::size_t>(n)] == none())
+                push(static_cast<std::size_t>(n), entry.circle);
     }
     return owner;
 }

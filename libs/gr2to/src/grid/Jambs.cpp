@@ -7,6 +7,9 @@ namespace gr2to
 {
 namespace
 {
+/** A diagonal step to the side lengthens the way to one jamb and shortens the way to the other. */
+constexpr double kSlack = 2 * 1.41421356237309505;
+
 std::int64_t squaredDistance(Cell a, Cell b)
 {
     const std::int64_t dx = a.x - b.x, dy = a.y - b.y;
@@ -47,7 +50,7 @@ std::optional<Jambs> findJambs(const ClassifiedGrid& grid, Obstacles obstacles, 
 {
     const auto distance = [&](Cell c) { return squaredDistance(c, at); };
     const std::vector<Cell> near =
-        obstaclesInRing(grid, obstacles, at, std::max(0.5, clearance_cells - 0.5), clearance_cells + 1.5);
+        obstaclesInRing(grid, obstacles, at, std::max(0.5, clearance_cells - 0.5), clearance_cells + kSlack);
     if (near.empty()) return std::nullopt;
     const Cell a = *std::min_element(near.begin(), near.end(),
                                      [&](Cell l, Cell r) { return distance(l) < distance(r); });

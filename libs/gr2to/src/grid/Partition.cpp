@@ -3,152 +3,84 @@
 #include <algorithm>
 
 #include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/Runs.h"
 
 namespace gr2to
 {
 namespace
 {
-constexpr PlaceId kMixed = 0xFFFF;  // no place has this id; stands for several places in one region
+constexpr PlaceId kMixed =
+    0xFFFF;  // no place has this id; stands for borders and for several places in one region
 
-/** Regions of free cells between borders, as runs of cells in rows; 4-connected. */
-class Regions
+/** Gives each region of free cells between borders its place, when all of the diagram in it has the same.
+ * \param image  kMixed on the borders, else 0
+ */
+void paintRegions(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
+                  const std::vector<PlaceId>& placeOfCell, PlaceImage& image)
 {
- public:
-    Regions(const ClassifiedGrid& grid, const std::vector<std::size_t>& borderCells) : m_grid(grid)
-    {
-        auto border = borderCells.begin();
-        const auto width = static_cast<std::size_t>(grid.width());
-        for (int y = 0; y < grid.height(); ++y) {
-            const std::size_t row = grid.index({0, y});
-            const std::size_t firstRun = m_runs.size();
-            m_firstRun.push_back(firstRun);
-            for (std::size_t i = row; i < row + width;) {
-                while (border != borderCells.end() && *border < i) ++border;
-                if (grid[i] != CellState::Free || (border != borderCells.end() && *border == i)) {
-                    ++i;
-                    continue;
-                }
-                std::size_t end = border != borderCells.end() ? std::min(*border, row + width) : row + width;
-                const CellState* cells = grid.row(0);
-                end = static_cast<std::size_t>(
-                    std::find_if(cells + i, cells + end, [](CellState s) { return s != CellState::Free; }) -
-                    cells);
-                m_runs.push_back({i, end, m_runs.size()});
-                i = end;
-            }
-            if (y > 0) linkRows(m_firstRun[static_cast<std::size_t>(y) - 1], firstRun, m_runs.size(), width);
-        }
-        m_firstRun.push_back(m_runs.size());
+    Runs runs(grid.width(), grid.height(), Runs::Connectivity::Sides,
+              [&](std::size_t i) { return grid[i] == CellState::Free && image.ids[i] == 0; });
+    std::vector<PlaceId> placeOfRoot(runs.runs().size(), 0);
+    for (std::size_t k = 0; k < voronoi.cells.size(); ++k) {
+        const std::size_t run = placeOfCell[k] != 0 ? runs.find(voronoi.cells[k]) : placeOfRoot.size();
+        if (run == placeOfRoot.size()) continue;
+        PlaceId& place = placeOfRoot[runs.root(run)];
+        place = place == 0 || place == placeOfCell[k] ? placeOfCell[k] : kMixed;
     }
-
-    /** Notes that a cell's region holds a place; a second one makes it mixed. */
-    void claim(std::size_t cell, PlaceId place)
-    {
-        Run* run = find(cell);
-        if (!run) return;  // on a border
-        PlaceId& claimed = m_runs[root(static_cast<std::size_t>(run - m_runs.data()))].place;
-        claimed = claimed == 0 || claimed == place ? place : kMixed;
-    }
-
-    /** Writes every region's place, 0 for mixed and unclaimed ones. */
-    void paint(PlaceImage& image)
-    {
-        for (std::size_t r = 0; r < m_runs.size(); ++r)
-            if (const PlaceId place = m_runs[root(r)].place; place != 0 && place != kMixed)
-                std::fill(image.ids.begin() + static_cast<std::ptrdiff_t>(m_runs[r].begin),
-                          image.ids.begin() + static_cast<std::ptrdiff_t>(m_runs[r].end), place);
-    }
-
- private:
-    struct Run
-    {
-        std::size_t begin;
-        std::size_t end;
-        std::size_t parent;
-        PlaceId place = 0;  //!< of the region; valid at its root
-    };
-
-    std::size_t root(std::size_t r)
-    {
-        while (m_runs[r].parent != r) r = m_runs[r].parent = m_runs[m_runs[r].parent].parent;
-        return r;
-    }
-
-    /** Joins the runs of two rows that lie side by side. */
-    void linkRows(std::size_t below, std::size_t current, std::size_t end, std::size_t width)
-    {
-        std::size_t a = below;
-        for (std::size_t b = current; b < end; ++b) {
-            while (a < current && m_runs[a].end + width <= m_runs[b].begin) ++a;
-            for (std::size_t k = a; k < current && m_runs[k].begin + width < m_runs[b].end; ++k) {
-                const std::size_t p = root(k), q = root(b);
-                m_runs[std::max(p, q)].parent = std::min(p, q);
-            }
-        }
-    }
-
-    Run* find(std::size_t cell)
-    {
-        const auto y = cell / static_cast<std::size_t>(m_grid.width());
-        const auto first = m_runs.begin() + static_cast<std::ptrdiff_t>(m_firstRun[y]);
-        const auto last = m_runs.begin() + static_cast<std::ptrdiff_t>(m_firstRun[y + 1]);
-        const auto after =
-            std::upper_bound(first, last, cell, [](std::size_t c, const Run& run) { return c < run.begin; });
-        return after != first && cell < std::prev(after)->end ? &*std::prev(after) : nullptr;
-    }
-
-    const ClassifiedGrid& m_grid;
-    std::vector<Run> m_runs;
-    std::vector<std::size_t> m_firstRun;  //!< of each row, and the end
-};
+    for (std::size_t r = 0; r < placeOfRoot.size(); ++r)
+        if (const PlaceId place = placeOfRoot[runs.root(r)]; place != 0 && place != kMixed)
+            std::fill(image.ids.begin() + runs.runs()[r].begin, image.ids.begin() + runs.runs()[r].end,
+                      place);
+}
 
 /** Labels that spread over the unlabelled free cells, wave by wave: over sides and over corners in turn. */
-void spread(const ClassifiedGrid& grid, PlaceImage& image, std::vector<std::size_t> front)
+void spread(const ClassifiedGrid& grid, PlaceImage& image, std::vector<Cell> front)
 {
-    const auto enter = [&](int x, int y, PlaceId label, std::vector<std::size_t>& next) {
-        const Cell c{x, y};
+    std::vector<Cell> next;
+    const auto enter = [&](Cell c, PlaceId label) {
         if (!grid.isFree(c)) return false;
         PlaceId& there = image.ids[image.index(c)];
         if (there == 0) {
             there = label;
-            next.push_back(image.index(c));
+            next.push_back(c);
         }
         return true;
     };
-    bool overCorners = false;
-    std::vector<std::size_t> next;
-    while (!front.empty()) {
+    for (bool overCorners = false; !front.empty(); overCorners = !overCorners) {
         next.clear();
-        for (const std::size_t i : front) {
-            const Cell c = grid.cell(i);
-            const PlaceId label = image.ids[i];
-            const bool right = enter(c.x + 1, c.y, label, next), left = enter(c.x - 1, c.y, label, next);
-            const bool up = enter(c.x, c.y + 1, label, next), down = enter(c.x, c.y - 1, label, next);
+        for (const Cell c : front) {
+            const PlaceId label = image.at(c);
+            const bool right = enter({c.x + 1, c.y}, label), left = enter({c.x - 1, c.y}, label);
+            const bool up = enter({c.x, c.y + 1}, label), down = enter({c.x, c.y - 1}, label);
             if (!overCorners) continue;
             // Over a corner only past two free sides, so that no label slips through a diagonal wall.
-            if (right && up) enter(c.x + 1, c.y + 1, label, next);
-            if (left && up) enter(c.x - 1, c.y + 1, label, next);
-            if (right && down) enter(c.x + 1, c.y - 1, label, next);
-            if (left && down) enter(c.x - 1, c.y - 1, label, next);
+            if (right && up) enter({c.x + 1, c.y + 1}, label);
+            if (left && up) enter({c.x - 1, c.y + 1}, label);
+            if (right && down) enter({c.x + 1, c.y - 1}, label);
+            if (left && down) enter({c.x - 1, c.y - 1}, label);
         }
         front.swap(next);
-        overCorners = !overCorners;
     }
 }
 
-/** Labelled cells beside unlabelled free ones: where labels can spread from. */
-std::vector<std::size_t> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image)
+/** Labelled cells beside unlabelled free ones, in raster order: where labels can spread from. */
+std::vector<Cell> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image)
 {
     std::vector<std::size_t> rim;
-    for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid[i] != CellState::Free || image.ids[i] != 0) continue;
-        const Cell c = grid.cell(i);
-        for (const Cell n : {Cell{c.x + 1, c.y}, Cell{c.x, c.y + 1}, Cell{c.x - 1, c.y}, Cell{c.x, c.y - 1}})
-            if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
+    for (int y = 0; y < grid.height(); ++y) {
+        const CellState* cells = grid.row(y);
+        const PlaceId* ids = image.ids.data() + image.index({0, y});
+        for (int x = 0; x < grid.width(); ++x) {
+            if (cells[x] != CellState::Free || ids[x] != 0) continue;
+            for (const Cell n : {Cell{x + 1, y}, Cell{x, y + 1}, Cell{x - 1, y}, Cell{x, y - 1}})
+                if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
+        }
     }
     std::sort(rim.begin(), rim.end());
     rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
-    return rim;
+    std::vector<Cell> cells;
+    for (const std::size_t i : rim) cells.push_back(grid.cell(i));
+    return cells;
 }
 
 /** Gives free cells that no label reaches the label that is nearest in a straight line, one for each patch of
@@ -168,7 +100,7 @@ class PatchFiller
             const PlaceId nearest = nearestLabel(m_grid.cell(i));
             if (nearest == 0) return fillAllAtOnce();
             m_image.ids[i] = nearest;
-            spread(m_grid, m_image, {i});
+            spread(m_grid, m_image, {m_grid.cell(i)});
         }
     }
 
@@ -226,24 +158,15 @@ class PatchFiller
 PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
                      const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& borders)
 {
-    std::vector<std::size_t> borderCells;
-    borderCells.reserve(borders.size());
-    for (const Cell c : borders) borderCells.push_back(grid.index(c));
-    std::sort(borderCells.begin(), borderCells.end());
-    borderCells.erase(std::unique(borderCells.begin(), borderCells.end()), borderCells.end());
-
     PlaceImage image(grid.width(), grid.height());
-    {
-        Regions regions(grid, borderCells);
-        for (std::size_t k = 0; k < voronoi.cells.size(); ++k)
-            if (placeOfCell[k] != 0) regions.claim(voronoi.cells[k], placeOfCell[k]);
-        regions.paint(image);
-    }
-    std::vector<std::size_t> front;  // in mixed regions the diagram's own labels spread
+    for (const Cell c : borders) image.ids[image.index(c)] = kMixed;
+    paintRegions(grid, voronoi, placeOfCell, image);
+    for (const Cell c : borders) image.ids[image.index(c)] = 0;
+    std::vector<Cell> front;  // in mixed regions the diagram's own labels spread
     for (std::size_t k = 0; k < voronoi.cells.size(); ++k)
         if (PlaceId& there = image.ids[voronoi.cells[k]]; there == 0 && placeOfCell[k] != 0) {
             there = placeOfCell[k];
-            front.push_back(voronoi.cells[k]);
+            front.push_back(grid.cell(voronoi.cells[k]));
         }
     spread(grid, image, std::move(front));
     spread(grid, image, rimOfLabels(grid, image));

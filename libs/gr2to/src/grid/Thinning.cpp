@@ -1,6 +1,7 @@
 #include "gr2to/grid/Thinning.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace gr2to
 {
@@ -91,10 +92,10 @@ class Thinner
             const CellState* cells = grid.row(y);
             const std::int32_t* squared = distances.squared.data() + grid.index({0, y});
             std::uint16_t* out = &m_cells[m_cells.index({0, y})];
+            // The distance of cells that are not free is 0, and so is their bucket.
+            for (int x = 0; x < grid.width(); ++x) out[x] = bucketOf(squared[x]);
             for (int x = 0; x < grid.width(); ++x)
-                out[x] = cells[x] == CellState::Free
-                             ? static_cast<std::uint16_t>(bucketOf(squared[x]) | kFigure)
-                             : std::uint16_t{0};
+                out[x] = static_cast<std::uint16_t>(out[x] | (cells[x] == CellState::Free ? kFigure : 0));
         }
         m_bandCells = m_cells.stride() * std::max<std::size_t>(1, kBandCells / m_cells.stride());
         m_bands.resize(m_cells.size() / m_bandCells + 1);
@@ -258,6 +259,20 @@ class Thinner
     std::size_t m_current = 0;
     std::size_t m_highest = 0;
 };
+/** Cells by whole cells of clearance, in the given order where it is the same. */
+std::vector<Cell> sortedByClearance(const std::vector<Cell>& cells, const DistanceMap& distances)
+{
+    const auto rank = [&](Cell c) { return static_cast<std::size_t>(distances.clearance_cells(c)); };
+    std::vector<std::size_t> start(2, 0);
+    for (const Cell c : cells) {
+        if (rank(c) + 2 > start.size()) start.resize(rank(c) + 2, 0);
+        ++start[rank(c) + 1];
+    }
+    std::partial_sum(start.begin(), start.end(), start.begin());
+    std::vector<Cell> sorted(cells.size());
+    for (const Cell c : cells) sorted[start[rank(c)]++] = c;
+    return sorted;
+}
 }  // namespace
 
 bool isSimple(std::uint8_t neighbours)
@@ -270,11 +285,7 @@ Mask thin(const ClassifiedGrid& grid, const DistanceMap& distances, const std::v
     Thinner thinner(grid, distances);
     thinner.protect(anchors);
     thinner.thinAroundAnchors();
-    std::vector<Cell> byClearance = anchors;
-    std::stable_sort(byClearance.begin(), byClearance.end(), [&](Cell a, Cell b) {
-        return distances.squared[distances.index(a)] < distances.squared[distances.index(b)];
-    });
-    thinner.thinAnchors(byClearance);
+    thinner.thinAnchors(sortedByClearance(anchors, distances));
     return thinner.result();
 }
 }  // namespace gr2to

@@ -54,17 +54,22 @@ Gr2To::Gr2To(Gr2ToOptions options) : m_options(std::move(options))
     m_options.check();
 }
 
-Extraction Gr2To::extract(const ClassifiedGrid& grid) const
+Extraction Gr2To::extract(const ClassifiedGrid& input) const
 {
-    if (grid.count(CellState::Free) == 0)
+    if (input.count(CellState::Free) == 0)
         throw InputError("the grid has no free cell: there is no place to find");
-    if (grid.count(CellState::Occupied) == 0)
+    if (input.count(CellState::Occupied) == 0)
         throw InputError("the grid has no occupied cell: nothing delimits a place");
     const Obstacles obstacles =
         m_options.distance.unknown_is_obstacle ? Obstacles::OccupiedOrUnknown : Obstacles::Occupied;
     const PlaceBuilder builder(m_options.place);
     Extraction e;
     Clock clock(e.reports);
+
+    FilteredGrid filtered = GridFilter(m_options.filter).filter(input);
+    e.grid = std::move(filtered.grid);
+    const ClassifiedGrid& grid = e.grid;
+    clock.report("filter", {{"blobs", filtered.blobs}, {"cells", filtered.cells}}, grid.size());
 
     const VoronoiExtractor voronoi(m_options.voronoi);
     const std::vector<Cell> separating = voronoi.measure(grid, obstacles, e.distances);
@@ -86,7 +91,8 @@ Extraction Gr2To::extract(const ClassifiedGrid& grid) const
                   {"doors", e.graph.doors.size()}},
                  bytesOf(e.graph.circleOfCell));
 
-    DelimitedSpace space = SpaceDelimiter(m_options.delimitation).delimit(grid, e.voronoi, e.graph);
+    DelimitedSpace space =
+        SpaceDelimiter(m_options.delimitation).delimit(grid, e.distances, e.voronoi, e.graph);
     e.places = std::move(space.places);
     e.map = std::move(space.map);
     clock.report("space delimitation",

@@ -21,10 +21,15 @@ std::vector<std::string> Gr2ToOptions::presets()
 Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 {
     Gr2ToOptions options;
-    if (name == "paper")
+    if (name == "paper") {
+        options.filter.max_blob_area = 0;
         options.distance.unknown_is_obstacle =
             false;  // "the euclidean distance to the nearest occupied cell"
-    else if (name != "default")
+        options.place.meet_at_narrowest = false;
+        options.place.min_depth = 1;
+        options.place.narrow_opening = 0;
+        options.place.one_door_per_candidate = true;
+    } else if (name != "default")
         throw std::invalid_argument("unknown preset '" + name + "'; did you mean '" +
                                     nearestWord(name, presets()) + "'?");
     return options;
@@ -32,7 +37,7 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 
 std::vector<OptionTable*> Gr2ToOptions::tables()
 {
-    return {&distance, &door, &voronoi, &place, &delimitation};
+    return {&filter, &distance, &door, &voronoi, &place, &delimitation};
 }
 
 void Gr2ToOptions::set(const std::string& key, const std::string& value)

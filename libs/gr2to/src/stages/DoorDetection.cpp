@@ -208,9 +208,11 @@ class Linker
     std::vector<int> m_parent;
 };
 
-DoorCandidate makeCandidate(const std::vector<Cell>& cells, const std::vector<std::size_t>& members)
+DoorCandidate makeCandidate(const std::vector<Cell>& cells, const std::vector<std::size_t>& members,
+                            double maxClearance)
 {
     DoorCandidate candidate;
+    candidate.maxClearance_cells = maxClearance;
     double meanX = 0, meanY = 0;
     for (const std::size_t i : members) {
         candidate.cells.push_back(cells[i]);
@@ -258,7 +260,7 @@ std::vector<DoorCandidate> DoorDetector::detect(const ClassifiedGrid& grid,
     const std::vector<Cell> likely = LikelyCells(distances, minClearance, maxClearance).find();
     std::vector<DoorCandidate> candidates;
     for (const auto& group : Linker(likely, minClearance, grid.width(), grid.height()).groups())
-        candidates.push_back(makeCandidate(likely, group));
+        candidates.push_back(makeCandidate(likely, group, maxClearance));
     return candidates;
 }
 }  // namespace gr2to

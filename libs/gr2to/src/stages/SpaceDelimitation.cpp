@@ -24,6 +24,15 @@ mrpt::math::CMatrixDouble33 inSpace(const Eigen::Matrix2d& plane)
     return m;
 }
 
+double widestDoor(const PlaceGraph& graph)
+{
+    double widest = 0;
+    for (const ValidatedDoor& door : graph.doors)
+        widest = std::max(widest, distance_cells(door.jambA, door.critical.cell) +
+                                      distance_cells(door.critical.cell, door.jambB));
+    return widest;
+}
+
 /** Circles that were merged to one place, and what the map says of it. */
 struct PlaceDraft
 {
@@ -35,9 +44,15 @@ struct PlaceDraft
 class MapMaker
 {
  public:
-    MapMaker(const ClassifiedGrid& grid, const VoronoiGraph& voronoi, const PlaceGraph& graph,
-             const TDelimitationOptions& options)
-        : m_grid(grid), m_voronoi(voronoi), m_graph(graph), m_options(options), m_closedGrid(grid)
+    MapMaker(const ClassifiedGrid& grid, const DistanceMap& distances, const VoronoiGraph& voronoi,
+             const PlaceGraph& graph, const TDelimitationOptions& options)
+        : m_grid(grid),
+          m_voronoi(voronoi),
+          m_graph(graph),
+          m_options(options),
+          m_closedGrid(grid),
+          m_grower(m_closedGrid, distances, widestDoor(graph)),
+          m_neighbours(graph.circles.size())
     {
         for (const ValidatedDoor& door : graph.doors)
             for (const Cell c : door.line) {
@@ -48,6 +63,10 @@ class MapMaker
 
     DelimitedSpace make()
     {
+        for (const PlaceLink& link : m_graph.links) {
+            m_neighbours[link.from].push_back(m_graph.circles[link.to]);
+            m_neighbours[link.to].push_back(m_graph.circles[link.from]);
+        }
         draftPlaces();
         partitionCells();
         m_result.map.resolution_m = m_grid.resolution_m();
@@ -129,20 +148,10 @@ class MapMaker
     {
         std::vector<Eigen::Vector2d> vertices;
         for (const std::size_t c : draft.circles) {
-            const Octagon octagon = growOctagon(m_closedGrid, m_graph.circles[c], neighboursOf(c));
+            const Octagon octagon = m_grower.grow(m_graph.circles[c], m_neighbours[c]);
             vertices.insert(vertices.end(), octagon.begin(), octagon.end());
         }
         return draft.circles.size() > 1 ? convexHull(std::move(vertices)) : vertices;
-    }
-
-    std::vector<Circle> neighboursOf(std::size_t circle) const
-    {
-        std::vector<Circle> neighbours;
-        for (const PlaceLink& link : m_graph.links) {
-            if (link.from == circle) neighbours.push_back(m_graph.circles[link.to]);
-            if (link.to == circle) neighbours.push_back(m_graph.circles[link.from]);
-        }
-        return neighbours;
     }
 
     Wall wallBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
@@ -244,6 +253,8 @@ class MapMaker
     const PlaceGraph& m_graph;
     const TDelimitationOptions& m_options;
     ClassifiedGrid m_closedGrid;
+    OctagonGrower m_grower;
+    std::vector<std::vector<Circle>> m_neighbours;  //!< circles joined to each circle
     std::vector<Cell> m_borders;  //!< cells of closed doors, then of openings between places
     std::vector<PlaceDraft> m_drafts;
     std::vector<PlaceId> m_idOfCircle;
@@ -270,9 +281,9 @@ SpaceDelimiter::SpaceDelimiter(TDelimitationOptions options) : m_options(std::mo
     m_options.check();
 }
 
-DelimitedSpace SpaceDelimiter::delimit(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
-                                       const PlaceGraph& graph) const
+DelimitedSpace SpaceDelimiter::delimit(const ClassifiedGrid& grid, const DistanceMap& distances,
+                                       const VoronoiGraph& voronoi, const PlaceGraph& graph) const
 {
-    return MapMaker(grid, voronoi, graph, m_options).make();
+    return MapMaker(grid, distances, voronoi, graph, m_options).make();
 }
 }  // namespace gr2to

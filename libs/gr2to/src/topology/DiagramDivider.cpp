@@ -17,12 +17,13 @@ bool rasterLess(Cell a, Cell b)
 
 DiagramDivider::DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
                                const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
-                               double minRadius_cells)
+                               double minRadius_cells, MeetingRule meeting)
     : m_curves(voronoi),
       m_grid(grid),
       m_obstacles(obstacles),
       m_distances(distances),
       m_minRadius(minRadius_cells),
+      m_meeting(meeting),
       m_blocked(m_curves.size())
 {
     m_graph.doors = std::move(doors);
@@ -31,27 +32,75 @@ DiagramDivider::DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGr
 PlaceGraph DiagramDivider::divide()
 {
     const std::vector<Circle> found = findCircles();
+    const auto leadsNowhere = [](const std::set<int>& sides) { return sides.empty() || *sides.begin() < 0; };
+    const auto leadsBack = [](const std::set<int>& sides) { return sides.size() < 2 || *sides.begin() < 0; };
     do {
-        m_graph.circles = found;
-        blockDoors();
-        addMissingCircles();
-        m_graph.circleOfCell = m_curves.growCircles(m_graph.circles, m_blocked);
-    } while (dropUselessDoors());
+        do {
+            m_graph.circles = found;
+            blockDoors();
+            m_graph.circleOfCell = addMissingCircles();
+        } while (dropDoors(leadsNowhere));
+        m_graph.circleOfCell = m_meeting == MeetingRule::HalfWay
+                                   ? m_curves.growCircles(m_graph.circles, m_blocked)
+                                   : m_curves.floodCircles(m_graph.circles, m_blocked, m_distances);
+    } while (dropDoors(leadsBack));
     linkAtOpenings();
     linkAtDoors();
     sortLinks();
     return std::move(m_graph);
 }
 
+/** For each cell of the diagram how far the stretch of its clearance goes on, at least, to either side. */
+std::vector<int> DiagramDivider::depthInLevel() const
+{
+    const auto sameLevel = [&](std::size_t i, int n) {
+        return m_distances.squared[m_distances.index(m_curves.cell(i))] ==
+               m_distances.squared[m_distances.index(m_curves.cell(static_cast<std::size_t>(n)))];
+    };
+    std::vector<int> depth(m_curves.size(), -1);
+    std::vector<std::size_t> queue;
+    for (std::size_t i = 0; i < m_curves.size(); ++i)
+        for (const int n : m_curves.neighbours(i))
+            if (depth[i] < 0 && n >= 0 && !sameLevel(i, n)) {
+                depth[i] = 0;
+                queue.push_back(i);
+            }
+    for (std::size_t k = 0; k < queue.size(); ++k)
+        for (const int n : m_curves.neighbours(queue[k]))
+            if (n >= 0 && depth[static_cast<std::size_t>(n)] < 0) {
+                depth[static_cast<std::size_t>(n)] = depth[queue[k]] + 1;
+                queue.push_back(static_cast<std::size_t>(n));
+            }
+    return depth;
+}
+
+/** A circle for every cell that is wide enough, from large to small; of a level stretch the middle comes
+ * first, so that turning the grid does not move the circles along corridors. */
+std::vector<Circle> DiagramDivider::circlesBySize() const
+{
+    const std::vector<int> depth = depthInLevel();
+    struct Ranked
+    {
+        Circle circle;
+        int depth;
+    };
+    std::vector<Ranked> ranked;
+    for (std::size_t i = 0; i < m_curves.size(); ++i)
+        if (const double r = m_distances.clearance_cells(m_curves.cell(i)); r >= m_minRadius)
+            ranked.push_back({{m_curves.cell(i), r}, depth[i]});
+    std::stable_sort(ranked.begin(), ranked.end(), [](const Ranked& a, const Ranked& b) {
+        return a.circle.radius_cells != b.circle.radius_cells ? a.circle.radius_cells > b.circle.radius_cells
+                                                              : a.depth > b.depth;
+    });
+    std::vector<Circle> circles;
+    for (const Ranked& r : ranked) circles.push_back(r.circle);
+    return circles;
+}
+
 /** Circles of all cells of the diagram, those of doors left out, thinned out by overlap and eq. (9). */
 std::vector<Circle> DiagramDivider::findCircles() const
 {
-    std::vector<Circle> all;
-    for (std::size_t i = 0; i < m_curves.size(); ++i)
-        if (const double r = m_distances.clearance_cells(m_curves.cell(i)); r >= m_minRadius)
-            all.push_back({m_curves.cell(i), r});
-    std::stable_sort(all.begin(), all.end(),
-                     [](const Circle& a, const Circle& b) { return a.radius_cells > b.radius_cells; });
+    const std::vector<Circle> all = circlesBySize();
     CircleIndex doorways(m_distances.width, m_distances.height);
     for (const ValidatedDoor& door : m_graph.doors)
         doorways.add({door.critical.cell, door.critical.clearance_cells});
@@ -73,11 +122,14 @@ void DiagramDivider::blockDoors()
             if (const int i = m_curves.find(c); i >= 0) m_blocked[static_cast<std::size_t>(i)] = true;
 }
 
-/** A part without a circle gets the one of its widest cell when that is wide enough for a place. */
-void DiagramDivider::addMissingCircles()
+/** A part without a circle gets the one of its widest cell when that is wide enough for a place.
+ * \return for each cell of the diagram a number of its part, for doors to tell their sides apart; -1 in parts
+ * too narrow
+ */
+std::vector<int> DiagramDivider::addMissingCircles()
 {
     int parts = 0;
-    const std::vector<int> partOf = m_curves.parts(m_blocked, &parts);
+    std::vector<int> partOf = m_curves.parts(m_blocked, &parts);
     std::vector<bool> hasCircle(static_cast<std::size_t>(parts), false);
     std::vector<Circle> widest(hasCircle.size());
     for (const Circle& circle : m_graph.circles)
@@ -93,9 +145,14 @@ void DiagramDivider::addMissingCircles()
         if (!hasCircle[p] && widest[p].radius_cells >= m_minRadius) m_graph.circles.push_back(widest[p]);
     std::sort(m_graph.circles.begin(), m_graph.circles.end(),
               [](const Circle& a, const Circle& b) { return rasterLess(a.center, b.center); });
+    for (int& part : partOf)
+        if (part >= 0 && !hasCircle[static_cast<std::size_t>(part)] &&
+            widest[static_cast<std::size_t>(part)].radius_cells < m_minRadius)
+            part = -1;
+    return partOf;
 }
 
-/** Circles on the sides of a door, in order; -1 among them when a side leads to a pocket without a place.
+/** What circleOfCell has on the sides of a door, in order; -1 among it when a side is too narrow for a place.
  */
 std::set<int> DiagramDivider::sidesOf(const ValidatedDoor& door) const
 {
@@ -110,13 +167,10 @@ std::set<int> DiagramDivider::sidesOf(const ValidatedDoor& door) const
     return sides;
 }
 
-bool DiagramDivider::dropUselessDoors()
+bool DiagramDivider::dropDoors(const std::function<bool(const std::set<int>& sides)>& useless)
 {
-    const auto isUseless = [&](const ValidatedDoor& door) {
-        const std::set<int> sides = sidesOf(door);
-        return sides.size() < 2 || *sides.begin() < 0;
-    };
-    const auto last = std::remove_if(m_graph.doors.begin(), m_graph.doors.end(), isUseless);
+    const auto last = std::remove_if(m_graph.doors.begin(), m_graph.doors.end(),
+                                     [&](const ValidatedDoor& door) { return useless(sidesOf(door)); });
     const bool dropped = last != m_graph.doors.end();
     m_graph.doors.erase(last, m_graph.doors.end());
     return dropped;

@@ -14,26 +14,6 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kBeam = 2.0 * kPi / 8;  // aperture, fifth stage
 constexpr int kMaxRaysPerBeam = 16;      // 2.8 degrees apart: at 10 m half a metre
 
-struct Ray
-{
-    double length = 0;  //!< to the last free cell, or to the occupied one [cells]
-    bool hits = false;  //!< an occupied cell, not the unknown
-};
-
-/** Walks from the centre cell by cell until it leaves the free space. */
-Ray castRay(const ClassifiedGrid& grid, Cell from, const Eigen::Vector2d& direction)
-{
-    const double step = 1.0 / direction.cwiseAbs().maxCoeff();
-    double length = 0;
-    for (int k = 1;; ++k) {
-        const Cell c{from.x + roundToCell(k * step * direction.x()),
-                     from.y + roundToCell(k * step * direction.y())};
-        if (!grid.contains(c) || grid.at(c) == CellState::Unknown) return {length, false};
-        length = k * step;
-        if (grid.at(c) == CellState::Occupied) return {length, true};
-    }
-}
-
 double limitOfEq10(const Circle& circle, const std::vector<Circle>& neighbours, double axis_rad)
 {
     double closest = std::numeric_limits<double>::infinity(), limit = closest;
@@ -48,7 +28,35 @@ double limitOfEq10(const Circle& circle, const std::vector<Circle>& neighbours, 
     return limit;
 }
 
-Eigen::Vector2d growVertex(const ClassifiedGrid& grid, const Circle& circle, double axis_rad, double limit)
+}  // namespace
+
+OctagonGrower::OctagonGrower(const ClassifiedGrid& closedDoors, const DistanceMap& distances,
+                             double widestDoor_cells)
+    : m_grid(closedDoors), m_distances(distances), m_squaredHalfDoor(widestDoor_cells * widestDoor_cells / 4)
+{
+}
+
+/** Walks from the centre cell by cell until it leaves the free space, with leaps where nothing can be near.
+ *
+ * No obstacle is nearer than the clearance c. A closed door of half length h whose jambs are at least c away
+ * is at least sqrt(c^2 - h^2) away.
+ */
+OctagonGrower::Ray OctagonGrower::castRay(Cell from, const Eigen::Vector2d& direction) const
+{
+    const double step = 1.0 / direction.cwiseAbs().maxCoeff();
+    double length = 0;
+    for (int k = 1;;) {
+        const Cell c{from.x + roundToCell(k * step * direction.x()),
+                     from.y + roundToCell(k * step * direction.y())};
+        if (!m_grid.contains(c) || m_grid.at(c) == CellState::Unknown) return {length, false};
+        length = k * step;
+        if (m_grid.at(c) == CellState::Occupied) return {length, true};
+        const double squared = m_distances.squared[m_distances.index(c)] - m_squaredHalfDoor;
+        k += squared > 16 ? static_cast<int>((std::sqrt(squared) - 2) / step) : 1;
+    }
+}
+
+Eigen::Vector2d OctagonGrower::growVertex(const Circle& circle, double axis_rad, double limit) const
 {
     const int rays = std::clamp(static_cast<int>(std::ceil(circle.radius_cells * kBeam)), 4, kMaxRaysPerBeam);
     Ray best;
@@ -56,7 +64,7 @@ Eigen::Vector2d growVertex(const ClassifiedGrid& grid, const Circle& circle, dou
     for (int k = 0; k <= rays; ++k) {
         const double angle = axis_rad + kBeam * (static_cast<double>(k) / rays - 0.5);
         const Eigen::Vector2d direction(std::cos(angle), std::sin(angle));
-        const Ray ray = castRay(grid, circle.center, direction);
+        const Ray ray = castRay(circle.center, direction);
         if (ray.hits < best.hits || (ray.hits == best.hits && ray.length <= best.length)) continue;
         best = ray;
         bestDirection = direction;
@@ -64,16 +72,13 @@ Eigen::Vector2d growVertex(const ClassifiedGrid& grid, const Circle& circle, dou
     const double reach = std::max(circle.radius_cells, best.length);
     return Eigen::Vector2d(circle.center.x, circle.center.y) + std::min(reach, limit) * bestDirection;
 }
-}  // namespace
-
-Octagon growOctagon(const ClassifiedGrid& closedDoors, const Circle& circle,
-                    const std::vector<Circle>& neighbours)
+Octagon OctagonGrower::grow(const Circle& circle, const std::vector<Circle>& neighbours) const
 {
     Octagon octagon;
     for (int k = 0; k < 8; ++k) {
         const double axis = kBeam * k;
         octagon[static_cast<std::size_t>(k)] =
-            growVertex(closedDoors, circle, axis, limitOfEq10(circle, neighbours, axis));
+            growVertex(circle, axis, limitOfEq10(circle, neighbours, axis));
     }
     return octagon;
 }

@@ -41,6 +41,14 @@ class CurveCells
      */
     std::vector<int> growCircles(const std::vector<Circle>& circles, const std::vector<bool>& blocked) const;
 
+    /** For each cell the circle whose way to it stays widest, none() where none reaches it.
+     *
+     * Circles flood the diagram from wide to narrow, so that two of them meet at the narrowest cell between
+     * them.
+     */
+    std::vector<int> floodCircles(const std::vector<Circle>& circles, const std::vector<bool>& blocked,
+                                  const DistanceMap& distances) const;
+
  private:
     const VoronoiGraph& m_voronoi;
     std::vector<std::array<int, 4>> m_neighbours;

@@ -16,8 +16,8 @@ struct Jambs
 
 /** Finds the jambs of a cell of the Voronoi diagram (Thrun's basis points).
  *
- * \param clearance_cells  of the cell; the diagram being a cell thick, the facing jamb may be a cell and a
- * half farther \return nothing when all obstacles that near lie on one side
+ * \param clearance_cells  of the cell; the diagram being up to a diagonal step off the middle, the facing
+ * jamb may be two such steps farther \return nothing when all obstacles that near lie on one side
  */
 std::optional<Jambs> findJambs(const ClassifiedGrid& grid, Obstacles obstacles, Cell at,
                                double clearance_cells);

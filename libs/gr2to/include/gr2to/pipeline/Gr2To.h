@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gr2to/stages/DoorDetection.h"
+#include "gr2to/stages/GridFiltering.h"
 #include "gr2to/stages/PlaceConstruction.h"
 #include "gr2to/stages/SpaceDelimitation.h"
 #include "gr2to/stages/VoronoiExtraction.h"
@@ -22,6 +23,7 @@ struct TDistanceOptions : OptionTable
 /** The options of all stages. */
 struct Gr2ToOptions
 {
+    TFilterOptions filter;
     TDistanceOptions distance;
     TDoorOptions door;
     TVoronoiOptions voronoi;
@@ -58,6 +60,7 @@ struct StageReport
 /** The map and everything that was found on the way to it. */
 struct Extraction
 {
+    ClassifiedGrid grid;  //!< after the filter: the cells that all else speaks of
     DistanceMap distances;
     std::vector<DoorCandidate> doorCandidates;
     VoronoiGraph voronoi;
@@ -79,7 +82,7 @@ class Gr2To
     explicit Gr2To(Gr2ToOptions options = Gr2ToOptions::preset("default"));
 
     /** \throws InputError  the grid has no free or no occupied cell; see requireUsable() in io */
-    Extraction extract(const ClassifiedGrid& grid) const;
+    Extraction extract(const ClassifiedGrid& input) const;
 
  private:
     Gr2ToOptions m_options;

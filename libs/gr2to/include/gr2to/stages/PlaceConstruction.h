@@ -13,7 +13,11 @@ struct TPlaceOptions : OptionTable
 {
     double critical_rise = 0.05;
     double door_support = 0.25;
+    bool one_door_per_candidate = false;
     double min_radius = 0.25;
+    bool meet_at_narrowest = true;
+    double min_depth = 0.75;
+    double narrow_opening = 1.5;
 
     std::string section() const override { return "place"; }
     std::vector<OptionField> fields() override;
@@ -36,6 +40,10 @@ class PlaceBuilder
 
     /** The doors that a critical point supports: of the points closer than `door_support` to a likely cell
      * the narrowest.
+     *
+     * Along walls that run askew to the grid, and between neighbouring doors, likely cells chain together to
+     * one candidate; unless `one_door_per_candidate` it then has as many doors as there are supporting points
+     * that are as narrow as a door and whose circles do not hold a narrower one's centre.
      *
      * Its line runs from the nearest obstacle over the critical point to the nearest obstacle on the other
      * side. \param obstacles  what the distances were measured to \return in raster order of their critical

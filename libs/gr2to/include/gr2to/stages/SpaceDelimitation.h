@@ -1,6 +1,7 @@
 #pragma once
 
 #include "gr2to/base/OptionTable.h"
+#include "gr2to/grid/DistanceMap.h"
 #include "gr2to/grid/PlaceImage.h"
 #include "gr2to/grid/VoronoiGraph.h"
 #include "gr2to/topology/PlaceGraph.h"
@@ -40,8 +41,8 @@ class SpaceDelimiter
     explicit SpaceDelimiter(TDelimitationOptions options);
 
     /** \throws OutputError  there are more places than PlaceId can number */
-    DelimitedSpace delimit(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
-                           const PlaceGraph& graph) const;
+    DelimitedSpace delimit(const ClassifiedGrid& grid, const DistanceMap& distances,
+                           const VoronoiGraph& voronoi, const PlaceGraph& graph) const;
 
  private:
     TDelimitationOptions m_options;

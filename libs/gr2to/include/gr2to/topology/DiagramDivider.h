@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <set>
 #include <utility>
@@ -11,6 +12,13 @@
 
 namespace gr2to
 {
+/** Where two circles meet along the Voronoi diagram when no door parts them. */
+enum class MeetingRule : std::uint8_t
+{
+    HalfWay,   //!< at equal distances from their rims, as eq. (10) limits the octagons
+    Narrowest  //!< at the narrowest cell between them
+};
+
 /** Parts the Voronoi diagram at its doors and among circles, until every door parts two places.
  *
  * Circles are those of the diagram's cells, thinned out by overlap and eq. (9); those inside a doorway are
@@ -23,16 +31,19 @@ class DiagramDivider
     /** \param obstacles  what the distances were measured to  \param minRadius_cells  of a circle that makes
      * a place */
     DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
-                   Obstacles obstacles, const DistanceMap& distances, double minRadius_cells);
+                   Obstacles obstacles, const DistanceMap& distances, double minRadius_cells,
+                   MeetingRule meeting);
 
     PlaceGraph divide();
 
  private:
+    std::vector<int> depthInLevel() const;
+    std::vector<Circle> circlesBySize() const;
     std::vector<Circle> findCircles() const;
     void blockDoors();
-    void addMissingCircles();
+    std::vector<int> addMissingCircles();
     std::set<int> sidesOf(const ValidatedDoor& door) const;
-    bool dropUselessDoors();
+    bool dropDoors(const std::function<bool(const std::set<int>& sides)>& useless);
     void linkAtOpenings();
     void addOpening(int a, int b, Cell at);
     void addBorder(int a, int b, Cell at);
@@ -44,6 +55,7 @@ class DiagramDivider
     Obstacles m_obstacles;
     const DistanceMap& m_distances;
     double m_minRadius;
+    MeetingRule m_meeting;
     std::vector<bool> m_blocked;  //!< cells of the diagram on doors
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> m_linksOf;
     PlaceGraph m_graph;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "gr2to/grid/Circles.h"
@@ -13,6 +14,8 @@ struct DoorCandidate
 {
     Cell center;              //!< the likely cell nearest to the mean of all
     std::vector<Cell> cells;  //!< likely cells, in raster order
+    /** Half the widest door: the clearance of every likely cell is less. */
+    double maxClearance_cells = std::numeric_limits<double>::infinity();
 };
 
 /** A door that a critical point supports; its line runs from jamb to critical point to jamb. */

@@ -1,0 +1,60 @@
+#include "gr2to/stages/GridFiltering.h"
+
+#include <limits>
+
+#include "gr2to/grid/Runs.h"
+
+namespace gr2to
+{
+namespace
+{
+constexpr std::size_t kTooLarge = std::numeric_limits<std::size_t>::max() / 2;
+
+/** Size of each region of cells that are not free, by its root; at least kTooLarge when it reaches the grid's
+ * border. */
+std::vector<std::size_t> sizesOfRegions(Runs& runs, std::size_t width, std::size_t cells)
+{
+    std::vector<std::size_t> sizes(runs.runs().size(), 0);
+    for (std::size_t r = 0; r < sizes.size(); ++r) {
+        const Runs::Run& run = runs.runs()[r];
+        const bool atBorder =
+            run.begin % width == 0 || run.end % width == 0 || run.begin < width || run.end > cells - width;
+        std::size_t& size = sizes[runs.root(r)];
+        size = atBorder || size >= kTooLarge ? kTooLarge : size + (run.end - run.begin);
+    }
+    return sizes;
+}
+}  // namespace
+
+std::vector<OptionField> TFilterOptions::fields()
+{
+    return {{"max_blob_area", &max_blob_area, "m2",
+             "Free-standing obstacles smaller than this are removed before anything else; 0 keeps all.", 0,
+             100}};
+}
+
+GridFilter::GridFilter(TFilterOptions options) : m_options(std::move(options))
+{
+    m_options.check();
+}
+
+FilteredGrid GridFilter::filter(const ClassifiedGrid& grid) const
+{
+    FilteredGrid result{grid, 0, 0};
+    const double cellArea = grid.resolution_m() * grid.resolution_m();
+    if (m_options.max_blob_area < cellArea) return result;
+    Runs runs(grid.width(), grid.height(), Runs::Connectivity::SidesAndCorners,
+              [&](std::size_t i) { return grid[i] != CellState::Free; });
+    const std::vector<std::size_t> sizes =
+        sizesOfRegions(runs, static_cast<std::size_t>(grid.width()), grid.size());
+    for (std::size_t r = 0; r < sizes.size(); ++r) {
+        const std::size_t size = sizes[runs.root(r)];
+        if (size >= kTooLarge || static_cast<double>(size) * cellArea >= m_options.max_blob_area) continue;
+        const Runs::Run& run = runs.runs()[r];
+        for (std::size_t i = run.begin; i < run.end; ++i) result.grid[i] = CellState::Free;
+        result.cells += run.end - run.begin;
+        result.blobs += runs.root(r) == r ? 1 : 0;
+    }
+    return result;
+}
+}  // namespace gr2to
