@@ -11,7 +11,7 @@ import re
 import sys
 import tempfile
 
-FOLDERS = ("apps", "bench", "libs", "share", "tests", "cmake", ".ci")
+FOLDERS = ("apps", "bench", "doc", "libs", "share", "tests", "cmake", ".ci")
 CODE = (".h", ".cpp")
 TEXT = CODE + (".py", ".sh", ".txt", ".cmake", ".in", ".md", ".yaml", ".xsd", ".ini", "")
 MOST_LINES = 300

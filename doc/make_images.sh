@@ -1,0 +1,82 @@
+#!/usr/bin/env bash
+# Makes every picture in doc/images again, from the shipped sample, generated buildings and maps that others publish:
+#
+#   bash doc/make_images.sh [BUILD_FOLDER [ROSE_FOLDER]]
+#
+# BUILD_FOLDER holds apps/gr2to/gr2to (default: build/release). ROSE_FOLDER holds the ROSE2 maps as NAME.clean.png (MIT
+# licence); without it the picture of a robot's map of an office floor stays as it is. Needs mrpt-common and python3-pil.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=$(cd "${1:-$root/build/release}" && pwd)
+rose=${2:-}
+gr2to=$build/apps/gr2to/gr2to
+make_building=$build/apps/gr2to-make-building/gr2to-make-building
+images=$root/doc/images
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+mkdir -p "$images"
+
+# overlay NAME INPUT [OPTION...]: $scratch/NAME.png
+overlay() {
+    local name=$1 input=$2
+    shift 2
+    "$gr2to" extract "$input" -o "$scratch/$name" --quiet "$@"
+    mv "$scratch/$name/overlay.png" "$scratch/$name.png"
+}
+
+# picture NAME WIDTH SOURCE...: doc/images/NAME.png, the sources side by side
+picture() {
+    local name=$1 width=$2
+    shift 2
+    /usr/bin/python3 "$root/doc/tools/compose.py" "$images/$name.png" "$width" "$@"
+}
+
+# layers [LAYER...]: the options that draw these layers and no others
+layers() {
+    local layer wanted=" $* " switch
+    for layer in grid places ids voronoi critical_points doors walls connections legend scale_bar; do
+        switch=no
+        [[ $wanted != *" $layer "* ]] || switch=yes
+        printf -- '--set overlay.%s=%s ' "$layer" $switch
+    done
+}
+skeleton=$(layers grid voronoi critical_points legend scale_bar)
+plan=$(layers grid places ids doors legend scale_bar)
+outlines=$(layers grid places ids doors walls legend scale_bar)
+bare=$(layers grid places ids doors)
+
+sample=$root/share/sample/office
+# shellcheck disable=SC2086 # the layers are words
+overlay office "$sample.yaml" $bare
+picture office-before-after 1200 "$sample.png" "$scratch/office.png"
+
+"$make_building" -o "$scratch" --name floor --seed 5 --width 26 --height 14 >/dev/null
+"$make_building" -o "$scratch" --name furnished --seed 5 --width 26 --height 14 --furniture 0.1 >/dev/null
+# shellcheck disable=SC2086
+{
+    overlay skeleton "$scratch/floor.yaml" $skeleton
+    overlay plan "$scratch/floor.yaml" $plan
+    overlay outlines "$scratch/floor.yaml" $outlines
+    overlay furnished-as-is "$scratch/furnished.yaml" $plan
+    overlay furnished-tuned "$scratch/furnished.yaml" $plan --place-min-radius 0.6 --place-critical-rise 0.15
+}
+overlay everything "$scratch/floor.yaml"
+picture floor-everything 1000 "$scratch/everything.png"
+picture floor-skeleton-and-places 1200 "$scratch/skeleton.png" "$scratch/plan.png"
+picture floor-walls 1000 "$scratch/outlines.png"
+picture furnished-tuning 1200 "$scratch/furnished-as-is.png" "$scratch/furnished-tuned.png"
+
+robot=$(dpkg -L mrpt-common | grep '/uwb_ro-localization_demo_map\.gridmap\.gz$')
+# shellcheck disable=SC2086
+{
+    overlay robot-paper "$robot" --preset paper $(layers grid places ids voronoi legend)
+    overlay robot-default "$robot" $(layers grid places ids voronoi legend)
+}
+picture robot-presets 1000 "$scratch/robot-paper.png" "$scratch/robot-default.png"
+
+if [ -n "$rose" ]; then
+    # shellcheck disable=SC2086
+    overlay rose "$rose/rose_fr079_map10.clean.png" --resolution 0.05 $plan
+    picture rose-office 1000 "$scratch/rose.png"
+fi
+ls -l "$images"
