@@ -79,8 +79,8 @@ const std::array<bool, 256>& simpleTable()
 /** The thinning in progress.
  *
  * Cells wait in buckets of similar clearance, one set of buckets for each band of rows. All bands finish a
- * bucket before the next begins, but one band after the other, so that a band's cells stay in the processor's
- * cache.
+ * wave before the next begins, but one band after the other, so that a band's cells stay in the processor's
+ * cache. A band that ran ahead by more than a wave would leave curves along its border.
  */
 class Thinner
 {
@@ -150,7 +150,8 @@ class Thinner
     struct Band
     {
         std::vector<std::vector<std::uint32_t>> buckets;
-        std::vector<std::uint32_t> working;  //!< cells of the current bucket
+        std::vector<std::uint32_t> working;  //!< cells of the current wave
+        std::vector<std::uint32_t> next;     //!< cells of the next wave
     };
 
     static std::uint16_t bucketOf(std::int32_t squaredClearance)
@@ -194,8 +195,8 @@ class Thinner
         Band& band = m_bands[b];
         const std::size_t bucket = m_cells[i] >> kBucketShift;
         if (bucket <= m_current) {
-            if (band.working.empty()) m_waiting.push_back(b);
-            band.working.push_back(static_cast<std::uint32_t>(i));
+            if (band.next.empty()) m_waiting.push_back(b);
+            band.next.push_back(static_cast<std::uint32_t>(i));
             return;
         }
         if (bucket >= band.buckets.size()) band.buckets.resize(bucket + 1);
@@ -211,6 +212,7 @@ class Thinner
             while (!m_waiting.empty()) {
                 std::vector<std::size_t> bands;
                 bands.swap(m_waiting);
+                for (const std::size_t b : bands) m_bands[b].working.swap(m_bands[b].next);
                 for (const std::size_t b : bands) drainBand(b, keep);
             }
         }
@@ -222,9 +224,9 @@ class Thinner
     {
         Band& band = m_bands[b];
         if (m_current >= band.buckets.size() || band.buckets[m_current].empty()) return;
-        if (band.working.empty()) m_waiting.push_back(b);
+        if (band.next.empty()) m_waiting.push_back(b);
         auto& bucket = band.buckets[m_current];
-        band.working.insert(band.working.end(), bucket.begin(), bucket.end());
+        band.next.insert(band.next.end(), bucket.begin(), bucket.end());
         std::vector<std::uint32_t>().swap(bucket);
     }
 
@@ -234,8 +236,7 @@ class Thinner
         Band& band = m_bands[b];
         const std::size_t first = b * m_bandCells, last = first + m_bandCells;
         // The queue grows while it is walked.
-        for (std::size_t k = 0; k < band.working.size(); ++k) {  // NOLINT(modernize-loop-convert)
-            const std::size_t i = band.working[k];
+        for (const std::size_t i : band.working) {
             m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kQueued);
             const std::uint8_t around = ring(i);
             if (!m_simple[around] || keep(around)) continue;

@@ -173,7 +173,7 @@ class Linker
     void linkBucket(Cell at)
     {
         const int first = m_first[bucket(at.x, at.y)];
-        for (int i = m_next[index(first)]; i >= 0; i = m_next[index(i)]) m_parent[index(i)] = find(first);
+        for (int i = m_next[index(first)]; i >= 0; i = m_next[index(i)]) unite(first, i);
         for (int dy = -m_reach; dy <= 0; ++dy)
             for (int dx = -m_reach; dx <= (dy == 0 ? -1 : m_reach); ++dx) {
                 const Cell other{at.x + dx, at.y + dy};

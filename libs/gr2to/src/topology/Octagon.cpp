@@ -28,6 +28,17 @@ double limitOfEq10(const Circle& circle, const std::vector<Circle>& neighbours, 
     return limit;
 }
 
+/** How many steps from a cell stay inside the grid, at least. */
+int stepsInside(const ClassifiedGrid& grid, Cell from, const Eigen::Vector2d& step)
+{
+    const auto along = [](int at, double d, int size) {
+        const double room = d > 0 ? size - 1 - at : at;
+        return d == 0 ? std::numeric_limits<double>::infinity() : room / std::abs(d) - 1;
+    };
+    const double steps =
+        std::min(along(from.x, step.x(), grid.width()), along(from.y, step.y(), grid.height()));
+    return std::max(0, static_cast<int>(steps));
+}
 }  // namespace
 
 OctagonGrower::OctagonGrower(const ClassifiedGrid& closedDoors, const DistanceMap& distances,
@@ -38,12 +49,14 @@ OctagonGrower::OctagonGrower(const ClassifiedGrid& closedDoors, const DistanceMa
 
 /** Walks from the centre cell by cell until it leaves the free space, with leaps where nothing can be near.
  *
- * No obstacle is nearer than the clearance c. A closed door of half length h whose jambs are at least c away
- * is at least sqrt(c^2 - h^2) away.
+ * The grid's border is no obstacle, so that no leap may end beyond it.  * No obstacle is nearer than the
+ * clearance c. A closed door of half length h whose jambs are at least c away is at least sqrt(c^2 - h^2)
+ * away.
  */
 OctagonGrower::Ray OctagonGrower::castRay(Cell from, const Eigen::Vector2d& direction) const
 {
     const double step = 1.0 / direction.cwiseAbs().maxCoeff();
+    const int inside = stepsInside(m_grid, from, step * direction);
     double length = 0;
     for (int k = 1;;) {
         const Cell c{from.x + roundToCell(k * step * direction.x()),
@@ -52,7 +65,8 @@ OctagonGrower::Ray OctagonGrower::castRay(Cell from, const Eigen::Vector2d& dire
         length = k * step;
         if (m_grid.at(c) == CellState::Occupied) return {length, true};
         const double squared = m_distances.squared[m_distances.index(c)] - m_squaredHalfDoor;
-        k += squared > 16 ? static_cast<int>((std::sqrt(squared) - 2) / step) : 1;
+        const int leap = squared > 16 ? static_cast<int>((std::sqrt(squared) - 2) / step) : 1;
+        k = std::max(k + 1, std::min(k + leap, inside));
     }
 }
 
