@@ -57,14 +57,14 @@ picture office-before-after 1200 "$sample.png" "$scratch/office.png"
     overlay skeleton "$scratch/floor.yaml" $skeleton
     overlay plan "$scratch/floor.yaml" $plan
     overlay outlines "$scratch/floor.yaml" $outlines
-    overlay furnished-as-is "$scratch/furnished.yaml" $plan
-    overlay furnished-tuned "$scratch/furnished.yaml" $plan --place-min-radius 0.6 --place-critical-rise 0.15
+    overlay furnished-paper "$scratch/furnished.yaml" $plan --preset paper
+    overlay furnished-default "$scratch/furnished.yaml" $plan
 }
 overlay everything "$scratch/floor.yaml"
 picture floor-everything 1000 "$scratch/everything.png"
 picture floor-skeleton-and-places 1200 "$scratch/skeleton.png" "$scratch/plan.png"
 picture floor-walls 1000 "$scratch/outlines.png"
-picture furnished-tuning 1200 "$scratch/furnished-as-is.png" "$scratch/furnished-tuned.png"
+picture furnished-presets 1200 "$scratch/furnished-paper.png" "$scratch/furnished-default.png"
 
 robot=$(dpkg -L mrpt-common | grep '/uwb_ro-localization_demo_map\.gridmap\.gz$')
 # shellcheck disable=SC2086

@@ -14,5 +14,6 @@ struct Topology
     std::vector<ValidatedDoor> doors;  //!< before the useless ones are dropped
     PlaceGraph graph;
 };
-Topology topologyOfPlaces(const ClassifiedGrid& grid, const Gr2ToOptions& options = {});
+Topology topologyOfPlaces(const ClassifiedGrid& grid,
+                          const Gr2ToOptions& options = Gr2ToOptions::preset("paper"));
 }  // namespace gr2to::test

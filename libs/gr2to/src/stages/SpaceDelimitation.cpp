@@ -24,15 +24,6 @@ mrpt::math::CMatrixDouble33 inSpace(const Eigen::Matrix2d& plane)
     return m;
 }
 
-double widestDoor(const PlaceGraph& graph)
-{
-    double widest = 0;
-    for (const ValidatedDoor& door : graph.doors)
-        widest = std::max(widest, distance_cells(door.jambA, door.critical.cell) +
-                                      distance_cells(door.critical.cell, door.jambB));
-    return widest;
-}
-
 /** Circles that were merged to one place, and what the map says of it. */
 struct PlaceDraft
 {
@@ -51,7 +42,7 @@ class MapMaker
           m_graph(graph),
           m_options(options),
           m_closedGrid(grid),
-          m_grower(m_closedGrid, distances, widestDoor(graph)),
+          m_grower(m_closedGrid, distances, widestDoor_cells(graph)),
           m_neighbours(graph.circles.size())
     {
         for (const ValidatedDoor& door : graph.doors)
@@ -128,9 +119,12 @@ class MapMaker
     {
         Place place;
         place.id = draft.id;
-        place.kind = draft.circles.size() > 1 ? PlaceKind::Corridor : PlaceKind::Room;
         const double cellArea = m_grid.resolution_m() * m_grid.resolution_m();
         place.area_m2 = static_cast<double>(m_cellsOfPlace[draft.id]) * cellArea;
+        place.kind =
+            draft.circles.size() > 1 || isElongated(place.area_m2, m_graph.circles[draft.circles.front()])
+                ? PlaceKind::Corridor
+                : PlaceKind::Room;
         const Eigen::Vector2d center = m_grid.frame().toMap(m_graph.circles[draft.circles.front()].center);
         place.center = {center.x(), center.y(), 0};
         const std::vector<Eigen::Vector2d> outline = outlineOf(draft);
@@ -142,6 +136,15 @@ class MapMaker
             if (const auto& next = outline[(k + 1) % outline.size()]; (next - outline[k]).norm() >= 0.5)
                 place.walls.push_back(wallBetween(outline[k], next));
         return place;
+    }
+
+    /** Whether a strip as wide as the place's largest circle would have to be that much longer to fill its
+     * area. */
+    bool isElongated(double area_m2, const Circle& largest) const
+    {
+        const double width_m = 2 * largest.radius_cells * m_grid.resolution_m();
+        return m_options.corridor_elongation > 0 &&
+               area_m2 >= m_options.corridor_elongation * width_m * width_m;
     }
 
     std::vector<Eigen::Vector2d> outlineOf(const PlaceDraft& draft) const
@@ -273,7 +276,12 @@ std::vector<OptionField> TDelimitationOptions::fields()
              0, 1},
             {"corridor_angle_tolerance", &corridor_angle_tolerance, "deg",
              "Largest turn among three circles in a row that count as collinear when corridors are merged.",
-             0, 90}};
+             0, 90},
+            {"corridor_elongation", &corridor_elongation, "ratio",
+             "A place is a corridor when its area is at least this many squares of its largest circle's "
+             "diameter; 0: only "
+             "merged circles are.",
+             0, 100}};
 }
 
 SpaceDelimiter::SpaceDelimiter(TDelimitationOptions options) : m_options(std::move(options))

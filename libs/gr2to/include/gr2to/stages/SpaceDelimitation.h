@@ -14,6 +14,7 @@ struct TDelimitationOptions : OptionTable
     double real_wall_ratio = 0.8;
     double corridor_radius_tolerance = 0.2;
     double corridor_angle_tolerance = 15;
+    double corridor_elongation = 4;
 
     std::string section() const override { return "delimitation"; }
     std::vector<OptionField> fields() override;

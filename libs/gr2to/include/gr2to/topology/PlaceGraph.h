@@ -56,4 +56,7 @@ struct PlaceGraph
      * too small. */
     std::vector<int> circleOfCell;
 };
+
+/** Length of the longest closed door, from jamb to jamb over its critical point [cells]; 0 without doors. */
+double widestDoor_cells(const PlaceGraph& graph);
 }  // namespace gr2to
