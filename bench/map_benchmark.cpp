@@ -108,6 +108,7 @@ std::vector<Measurement> measure(const std::vector<Subject>& subjects, const Set
 {
     const Gr2To gr2to(Gr2ToOptions::preset(settings.preset));
     std::vector<std::size_t> peaks;
+    peaks.reserve(subjects.size());
     for (const Subject& subject : subjects) peaks.push_back(peakBytes(subject, gr2to));
     std::vector<Measurement> measurements;
     printHead();

@@ -10,7 +10,6 @@
 using namespace gr2to;
 using namespace gr2to::test;
 using testing::AllOf;
-using testing::AnyOf;
 using testing::HasSubstr;
 
 namespace

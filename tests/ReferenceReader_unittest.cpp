@@ -114,7 +114,7 @@ TEST_F(ReferenceReader, brokenImagesAreRefusedInOneLine)
     EXPECT_THAT(complaintAboutImage("P5 2 2 255 abcd"), HasSubstr("not a PNG"));
     EXPECT_THAT(complaintAboutImage("short"), HasSubstr("not a PNG"));
     const auto good = plainPng({2, 2, 8, 0}, raw({1, 2, 3, 4}));
-    for (const std::size_t size : {8, 20, 40, 45, 50})
+    for (const std::size_t size : {8u, 20u, 40u, 45u, 50u})
         EXPECT_THAT(complaintAboutImage(good.substr(0, size)), HasSubstr("damaged")) << size << " bytes";
     auto flipped = good;
     flipped[45] = static_cast<char>(flipped[45] ^ 1);

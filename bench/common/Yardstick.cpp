@@ -35,6 +35,7 @@ void Yardstick::run()
 double Yardstick::seconds(int runs)
 {
     std::vector<double> each;
+    each.reserve(static_cast<std::size_t>(runs));
     for (int i = 0; i < runs; ++i) each.push_back(cpuSecondsOf([this] { run(); }));
     return median(std::move(each));
 }

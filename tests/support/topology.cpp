@@ -7,8 +7,10 @@ namespace gr2to::test
 PlanarTopology topologyOf(int width, int height, const std::function<bool(Cell)>& inSet)
 {
     const int w = width + 2, h = height + 2;  // one cell of surroundings on every side
-    const auto index = [&](int x, int y) { return static_cast<std::size_t>(y * w + x); };
-    std::vector<int> figure(static_cast<std::size_t>(w * h), 0);
+    const auto index = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(w) + static_cast<std::size_t>(x);
+    };
+    std::vector<int> figure(index(0, h), 0);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) figure[index(x + 1, y + 1)] = inSet({x, y}) ? 1 : 0;
     std::vector<bool> seen(figure.size(), false);

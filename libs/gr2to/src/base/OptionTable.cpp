@@ -107,18 +107,20 @@ std::string OptionField::rangeText() const
 
 void OptionTable::set(const std::string& name, const std::string& text)
 {
-    std::vector<std::string> known;
-    for (const auto& field : fields()) {
-        known.push_back(section() + "." + field.name);
-        if (field.name != name) continue;
-        if (!parse(text, field.value))
-            throw std::invalid_argument(section() + "." + name + " = '" + text + "' is not a value of type " +
-                                        field.typeText());
-        checkField(section(), field);
-        return;
+    const std::string key = section() + "." + name;
+    const std::vector<OptionField> all = fields();
+    const auto field =
+        std::find_if(all.begin(), all.end(), [&](const OptionField& f) { return f.name == name; });
+    if (field == all.end()) {
+        std::vector<std::string> known;
+        known.reserve(all.size());
+        for (const OptionField& f : all) known.push_back(section() + "." + f.name);
+        throw std::invalid_argument("unknown option '" + key + "'; did you mean '" + nearestWord(key, known) +
+                                    "'?");
     }
-    throw std::invalid_argument("unknown option '" + section() + "." + name + "'; did you mean '" +
-                                nearestWord(section() + "." + name, known) + "'?");
+    if (!parse(text, field->value))
+        throw std::invalid_argument(key + " = '" + text + "' is not a value of type " + field->typeText());
+    checkField(section(), *field);
 }
 
 void OptionTable::check() const

@@ -110,8 +110,7 @@ fs::path OutputTransaction::stage(const fs::path& target)
     if (!fs::is_directory(folder, error)) throw InputError("'" + folder.string() + "' is not a folder");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw InputError("the output folder '" + folder.string() + "' is not writable: " + reason());
-    const fs::path temporary =
-        folder / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
+    fs::path temporary = folder / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
     tryToCreate(temporary, folder);
     m_files.push_back({temporary, target});
     return temporary;

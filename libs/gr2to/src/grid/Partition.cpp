@@ -119,7 +119,7 @@ class PatchFiller
         };
         const int farthest = std::max(m_grid.width(), m_grid.height());
         for (int r = 1; r <= farthest && std::int64_t{r} * r < bestSquared; ++r) {
-            const auto looks = static_cast<std::size_t>(8 * r);
+            const std::size_t looks = 8 * static_cast<std::size_t>(r);
             if (looks > m_budget) return 0;
             m_budget -= looks;
             for (int k = -r; k < r; ++k) {

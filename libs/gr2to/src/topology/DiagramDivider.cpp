@@ -93,6 +93,7 @@ std::vector<Circle> DiagramDivider::circlesBySize() const
                                                               : a.depth > b.depth;
     });
     std::vector<Circle> circles;
+    circles.reserve(ranked.size());
     for (const Ranked& r : ranked) circles.push_back(r.circle);
     return circles;
 }
