@@ -48,7 +48,61 @@ std::vector<double> slowLengths(const CurveCells& curves, std::size_t from, cons
     }
     return length;
 }
+std::vector<int> partsOf(const CurveCells& curves, const std::vector<bool>& blocked)
+{
+    int count = 0;
+    return curves.parts(blocked, &count);
+}
+
+/** Of the widest way from a cell to each other one the least squared clearance, -1 where there is no way. */
+std::vector<int> slowWidths(const CurveCells& curves, std::size_t from, const std::vector<bool>& blocked,
+                            const DistanceMap& distances)
+{
+    const auto squared = [&](std::size_t i) { return distances.squared[distances.index(curves.cell(i))]; };
+    std::vector<int> width(curves.size(), -1);
+    if (blocked[from]) return width;
+    width[from] = squared(from);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t i = 0; i < curves.size(); ++i)
+            for (const int n : curves.neighbours(i)) {
+                if (n < 0 || blocked[static_cast<std::size_t>(n)]) continue;
+                const int through = std::min(width[i], squared(static_cast<std::size_t>(n)));
+                int& there = width[static_cast<std::size_t>(n)];
+                if (through > there) there = through, changed = true;
+            }
+    }
+    return width;
+}
 }  // namespace
+
+TEST(CurveCells, floodCirclesGivesEveryCellACircleWhoseWayStaysWidest)
+{
+    for (unsigned seed = 0; seed < 80; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const auto diagram = test::diagramOf(test::randomMap(50, 37, seed, 0.05), Obstacles::Occupied, 0.1);
+        const CurveCells curves(diagram.voronoi);
+        const std::vector<bool> blocked = randomSubset(curves.size(), seed, seed % 3 * 0.04);
+        std::mt19937 random(seed);
+        std::vector<Circle> circles;
+        std::vector<std::vector<int>> widths;
+        for (unsigned k = 0; k < 1 + seed % 7; ++k) {
+            const std::size_t at = random() % curves.size();
+            circles.push_back({curves.cell(at), diagram.distances.clearance_cells(curves.cell(at))});
+            widths.push_back(slowWidths(curves, at, blocked, diagram.distances));
+        }
+        const std::vector<int> owner =
+            curves.floodCircles(circles, partsOf(curves, blocked), diagram.distances);
+        for (std::size_t i = 0; i < curves.size(); ++i) {
+            int widest = -1;
+            for (const auto& width : widths) widest = std::max(widest, width[i]);
+            ASSERT_EQ(owner[i] == CurveCells::none(), widest < 0) << i;
+            if (widest >= 0) {
+                ASSERT_EQ(widths[static_cast<std::size_t>(owner[i])][i], widest) << i;
+            }
+        }
+    }
+}
 
 TEST(CurveCells, neighboursAreTheCellsBesideInTheirDirections)
 {
@@ -124,7 +178,7 @@ TEST(CurveCells, growCirclesGivesEveryCellTheCircleWithTheCheapestWay)
             circles.push_back({curves.cell(at), static_cast<double>(random() % 40) / 4.0});
             lengths.push_back(slowLengths(curves, at, blocked));
         }
-        const std::vector<int> owner = curves.growCircles(circles, blocked);
+        const std::vector<int> owner = curves.growCircles(circles, partsOf(curves, blocked));
         for (std::size_t i = 0; i < curves.size(); ++i) {
             double cheapest = kFar;
             for (std::size_t k = 0; k < circles.size(); ++k)
@@ -141,10 +195,10 @@ TEST(CurveCells, biggerCirclesReachFarther)
 {
     const test::DrawnCurves drawn = test::drawCurves({"11111111111"});
     const CurveCells curves(drawn.voronoi);
-    const auto owner = curves.growCircles({{{0, 0}, 6}, {{10, 0}, 1}}, std::vector<bool>(11, false));
+    const auto owner = curves.growCircles({{{0, 0}, 6}, {{10, 0}, 1}}, std::vector<int>(11, 0));
     EXPECT_EQ(owner, (std::vector<int>{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1}));
     std::vector<bool> blocked(11, false);
     blocked[4] = true;
-    EXPECT_EQ(curves.growCircles({{{0, 0}, 6}}, blocked),
+    EXPECT_EQ(curves.growCircles({{{0, 0}, 6}}, partsOf(curves, blocked)),
               (std::vector<int>{0, 0, 0, 0, -1, -1, -1, -1, -1, -1, -1}));
 }

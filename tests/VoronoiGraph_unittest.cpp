@@ -5,6 +5,7 @@
 #include <set>
 
 #include "gr2to/grid/Separation.h"
+#include "gr2to/grid/SimpleCells.h"
 #include "gr2to/grid/Thinning.h"
 #include "gr2to/stages/VoronoiExtraction.h"
 #include "support/drawMap.h"

@@ -58,73 +58,101 @@ std::vector<int> CurveCells::parts(const std::vector<bool>& blocked, int* count)
     return part;
 }
 
-std::vector<int> CurveCells::growCircles(const std::vector<Circle>& circles,
-                                         const std::vector<bool>& blocked) const
+std::vector<CurveCells::Start> CurveCells::startsByPart(const std::vector<Circle>& circles,
+                                                        const std::vector<int>& partOf) const
 {
-    struct Entry
-    {
-        double cost;
-        std::size_t cell;
-        int circle;
-    };
-    std::vector<Entry> starts;
+    std::vector<Start> starts;
     for (std::size_t c = 0; c < circles.size(); ++c)
-        if (const int i = find(circles[c].center); i >= 0)
-            starts.push_back({-circles[c].radius_cells, static_cast<std::size_t>(i), static_cast<int>(c)});
+        if (const int i = find(circles[c].center); i >= 0 && partOf[static_cast<std::size_t>(i)] >= 0)
+            starts.push_back({static_cast<std::size_t>(i), static_cast<int>(c)});
     std::stable_sort(starts.begin(), starts.end(),
-                     [](const Entry& a, const Entry& b) { return a.cost < b.cost; });
-    // Every step costs 1, so what is queued comes in rising order of cost: two sorted lists replace a heap.
+                     [&](const Start& a, const Start& b) { return partOf[a.cell] < partOf[b.cell]; });
+    return starts;
+}
+
+template <class GrowPart>
+std::vector<int> CurveCells::growByPart(const std::vector<Circle>& circles, const std::vector<int>& partOf,
+                                        const GrowPart& growPart) const
+{
+    const std::vector<Start> starts = startsByPart(circles, partOf);
     std::vector<int> owner(size(), none());
-    std::vector<Entry> queue;
-    std::size_t nextStart = 0, nextQueued = 0;
-    while (nextStart < starts.size() || nextQueued < queue.size()) {
-        const bool takeStart =
-            nextQueued == queue.size() ||
-            (nextStart < starts.size() && starts[nextStart].cost <= queue[nextQueued].cost);
-        const Entry entry = takeStart ? starts[nextStart++] : queue[nextQueued++];
-        if (owner[entry.cell] != none() || blocked[entry.cell]) continue;
-        owner[entry.cell] = entry.circle;
-        for (const int n : m_neighbours[entry.cell])
-            if (n >= 0 && owner[static_cast<std::size_t>(n)] == none())
-                queue.push_back({entry.cost + 1.0, static_cast<std::size_t>(n), entry.circle});
+    for (auto first = starts.begin(); first != starts.end();) {
+        const auto last = std::find_if(first, starts.end(), [&](const Start& start) {
+            return partOf[start.cell] != partOf[first->cell];
+        });
+        growPart(std::vector<Start>(first, last), owner);
+        first = last;
     }
     return owner;
 }
 
-std::vector<int> CurveCells::floodCircles(const std::vector<Circle>& circles,
-                                          const std::vector<bool>& blocked,
+std::vector<int> CurveCells::growCircles(const std::vector<Circle>& circles,
+                                         const std::vector<int>& partOf) const
+{
+    struct Entry
+    {
+        double cost;
+        Start at;
+    };
+    std::vector<Entry> queue;
+    return growByPart(circles, partOf, [&](std::vector<Start> starts, std::vector<int>& owner) {
+        const auto radius = [&](const Start& s) {
+            return circles[static_cast<std::size_t>(s.circle)].radius_cells;
+        };
+        std::stable_sort(starts.begin(), starts.end(),
+                         [&](const Start& a, const Start& b) { return radius(a) > radius(b); });
+        // Every step costs 1, so what is queued comes in rising order of cost: two sorted lists replace a
+        // heap.
+        queue.clear();
+        std::size_t nextStart = 0, nextQueued = 0;
+        while (nextStart < starts.size() || nextQueued < queue.size()) {
+            const bool takeStart =
+                nextQueued == queue.size() ||
+                (nextStart < starts.size() && -radius(starts[nextStart]) <= queue[nextQueued].cost);
+            const Entry entry =
+                takeStart ? Entry{-radius(starts[nextStart]), starts[nextStart]} : queue[nextQueued];
+            ++(takeStart ? nextStart : nextQueued);
+            if (owner[entry.at.cell] != none()) continue;
+            owner[entry.at.cell] = entry.at.circle;
+            for (const int n : m_neighbours[entry.at.cell])
+                if (const auto j = static_cast<std::size_t>(n);
+                    n >= 0 && partOf[j] >= 0 && owner[j] == none())
+                    queue.push_back({entry.cost + 1.0, {j, entry.at.circle}});
+        }
+    });
+}
+
+std::vector<int> CurveCells::floodCircles(const std::vector<Circle>& circles, const std::vector<int>& partOf,
                                           const DistanceMap& distances) const
 {
     struct Entry
     {
         std::int32_t squared;  //!< clearance of the cell
         std::size_t order;     //!< of equals the first that was queued
-        std::size_t cell;
-        int circle;
+        Start at;
 
         bool operator<(const Entry& other) const
         {
             return squared != other.squared ? squared < other.squared : order > other.order;
         }
     };
-    std::priority_queue<Entry> queue;
-    std::size_t order = 0;
-    const auto push = [&](std::size_t i, int circle) {
-        queue.push({distances.squared[distances.index(cell(i))], order++, i, circle});
-    };
-    for (std::size_t c = 0; c < circles.size(); ++c)
-        if (const int i = find(circles[c].center); i >= 0)
-            push(static_cast<std::size_t>(i), static_cast<int>(c));
-    std::vector<int> owner(size(), none());
-    while (!queue.empty()) {
-        const Entry entry = queue.top();
-        queue.pop();
-        if (owner[entry.cell] != none() || blocked[entry.cell]) continue;
-        owner[entry.cell] = entry.circle;
-        for (const int n : m_neighbours[entry.cell])
-            if (n >= 0 && owner[static_cast<std::size_t>(n)] == none())
-                push(static_cast<std::size_t>(n), entry.circle);
-    }
-    return owner;
+    return growByPart(circles, partOf, [&](const std::vector<Start>& starts, std::vector<int>& owner) {
+        std::priority_queue<Entry> queue;
+        std::size_t order = 0;
+        const auto push = [&](const Start& at) {
+            queue.push({distances.squared[distances.index(cell(at.cell))], order++, at});
+        };
+        for (const Start& start : starts) push(start);
+        while (!queue.empty()) {
+            const Start at = queue.top().at;
+            queue.pop();
+            if (owner[at.cell] != none()) continue;
+            owner[at.cell] = at.circle;
+            for (const int n : m_neighbours[at.cell])
+                if (const auto j = static_cast<std::size_t>(n);
+                    n >= 0 && partOf[j] >= 0 && owner[j] == none())
+                    push({j, at.circle});
+        }
+    });
 }
 }  // namespace gr2to

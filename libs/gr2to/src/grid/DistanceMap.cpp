@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/vectorised.h"
+
 namespace gr2to
 {
 namespace
@@ -16,6 +18,29 @@ struct Parabola
     std::int32_t height;
 };
 
+std::uint16_t next(std::uint16_t d)
+{
+    return static_cast<std::uint16_t>(d + (d != kNoObstacle ? 1 : 0));
+}
+
+GR2TO_VECTORISED
+void sweepUp(const CellState* cells, std::size_t width, Obstacles obstacles, const std::uint16_t* below,
+             std::uint16_t* out)
+{
+    if (obstacles == Obstacles::Occupied)
+        for (std::size_t x = 0; x < width; ++x)
+            out[x] = cells[x] == CellState::Occupied ? std::uint16_t{0} : next(below[x]);
+    else
+        for (std::size_t x = 0; x < width; ++x)
+            out[x] = cells[x] != CellState::Free ? std::uint16_t{0} : next(below[x]);
+}
+
+GR2TO_VECTORISED
+void sweepDown(const std::uint16_t* above, std::size_t width, std::uint16_t* out)
+{
+    for (std::size_t x = 0; x < width; ++x) out[x] = std::min(out[x], next(above[x]));
+}
+
 /** Vertical distance of every cell to the nearest obstacle of its column, kNoObstacle when there is none. */
 class ColumnDistances
 {
@@ -26,34 +51,15 @@ class ColumnDistances
         const std::size_t height = grid.size() / m_width;
         const std::vector<std::uint16_t> beyond(m_width, kNoObstacle);
         for (std::size_t y = 0; y < height; ++y)
-            sweepUp(grid.row(static_cast<int>(y)), obstacles, y ? row(y - 1) : beyond.data(), rowToWrite(y));
-        for (std::size_t y = height - 1; y-- > 0;) sweepDown(row(y + 1), rowToWrite(y));
+            sweepUp(grid.row(static_cast<int>(y)), m_width, obstacles, y ? row(y - 1) : beyond.data(),
+                    rowToWrite(y));
+        for (std::size_t y = height - 1; y-- > 0;) sweepDown(row(y + 1), m_width, rowToWrite(y));
     }
 
     const std::uint16_t* row(std::size_t y) const { return m_distance.data() + y * m_width; }
 
  private:
-    static std::uint16_t next(std::uint16_t d)
-    {
-        return static_cast<std::uint16_t>(d + (d != kNoObstacle ? 1 : 0));
-    }
     std::uint16_t* rowToWrite(std::size_t y) { return m_distance.data() + y * m_width; }
-
-    void sweepUp(const CellState* cells, Obstacles obstacles, const std::uint16_t* below,
-                 std::uint16_t* out) const
-    {
-        if (obstacles == Obstacles::Occupied)
-            for (std::size_t x = 0; x < m_width; ++x)
-                out[x] = cells[x] == CellState::Occupied ? std::uint16_t{0} : next(below[x]);
-        else
-            for (std::size_t x = 0; x < m_width; ++x)
-                out[x] = cells[x] != CellState::Free ? std::uint16_t{0} : next(below[x]);
-    }
-
-    void sweepDown(const std::uint16_t* above, std::uint16_t* out) const
-    {
-        for (std::size_t x = 0; x < m_width; ++x) out[x] = std::min(out[x], next(above[x]));
-    }
 
     std::size_t m_width;
     std::vector<std::uint16_t> m_distance;

@@ -63,22 +63,29 @@ void spread(const ClassifiedGrid& grid, PlaceImage& image, std::vector<Cell> fro
     }
 }
 
+/** Indices of the free cells without a label, in raster order. */
+std::vector<std::size_t> unlabelledCells(const ClassifiedGrid& grid, const PlaceImage& image)
+{
+    std::vector<std::size_t> cells;
+    for (std::size_t i = 0; i < grid.size(); ++i)
+        if (grid[i] == CellState::Free && image.ids[i] == 0) cells.push_back(i);
+    return cells;
+}
+
 /** Labelled cells beside unlabelled free ones, in raster order: where labels can spread from. */
-std::vector<Cell> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image)
+std::vector<Cell> rimOfLabels(const ClassifiedGrid& grid, const PlaceImage& image,
+                              const std::vector<std::size_t>& unlabelled)
 {
     std::vector<std::size_t> rim;
-    for (int y = 0; y < grid.height(); ++y) {
-        const CellState* cells = grid.row(y);
-        const PlaceId* ids = image.ids.data() + image.index({0, y});
-        for (int x = 0; x < grid.width(); ++x) {
-            if (cells[x] != CellState::Free || ids[x] != 0) continue;
-            for (const Cell n : {Cell{x + 1, y}, Cell{x, y + 1}, Cell{x - 1, y}, Cell{x, y - 1}})
-                if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
-        }
+    for (const std::size_t i : unlabelled) {
+        const auto [x, y] = grid.cell(i);
+        for (const Cell n : {Cell{x + 1, y}, Cell{x, y + 1}, Cell{x - 1, y}, Cell{x, y - 1}})
+            if (grid.isFree(n) && image.at(n) != 0) rim.push_back(image.index(n));
     }
     std::sort(rim.begin(), rim.end());
     rim.erase(std::unique(rim.begin(), rim.end()), rim.end());
     std::vector<Cell> cells;
+    cells.reserve(rim.size());
     for (const std::size_t i : rim) cells.push_back(grid.cell(i));
     return cells;
 }
@@ -93,10 +100,11 @@ class PatchFiller
     {
     }
 
-    void fill()
+    /** \param unlabelled  free cells, some of which may have got a label since */
+    void fill(const std::vector<std::size_t>& unlabelled)
     {
-        for (std::size_t i = 0; i < m_grid.size(); ++i) {
-            if (m_grid[i] != CellState::Free || m_image.ids[i] != 0) continue;
+        for (const std::size_t i : unlabelled) {
+            if (m_image.ids[i] != 0) continue;
             const PlaceId nearest = nearestLabel(m_grid.cell(i));
             if (nearest == 0) return fillAllAtOnce();
             m_image.ids[i] = nearest;
@@ -169,8 +177,9 @@ PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
             front.push_back(grid.cell(voronoi.cells[k]));
         }
     spread(grid, image, std::move(front));
-    spread(grid, image, rimOfLabels(grid, image));
-    PatchFiller(grid, image).fill();
+    const std::vector<std::size_t> unlabelled = unlabelledCells(grid, image);
+    spread(grid, image, rimOfLabels(grid, image, unlabelled));
+    PatchFiller(grid, image).fill(unlabelled);
     return image;
 }
 }  // namespace gr2to

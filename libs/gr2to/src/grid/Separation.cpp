@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace gr2to
 {
@@ -45,8 +46,11 @@ void SeparationFinder::addRow(int y, const std::int32_t* squared, const std::uin
 
 void SeparationFinder::finishRow(int y)
 {
-    for (std::size_t x = 0; x < m_below.size(); ++x)
-        if (m_below[x]) m_cells.push_back({static_cast<int>(x), y});
+    const std::uint8_t *begin = m_below.data(), *end = begin + m_below.size(), *at = begin;
+    const auto next = [&] {
+        return static_cast<const std::uint8_t*>(std::memchr(at, 1, static_cast<std::size_t>(end - at)));
+    };
+    for (at = next(); at != nullptr; at = next()) m_cells.push_back({static_cast<int>(at++ - begin), y});
 }
 
 std::vector<Cell> SeparationFinder::take()

@@ -1,7 +1,11 @@
 #include "gr2to/grid/Thinning.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+
+#include "base/vectorised.h"
+#include "gr2to/grid/SimpleCells.h"
 
 namespace gr2to
 {
@@ -17,70 +21,46 @@ constexpr int kMaxBucket = 0xFFFF >> kBucketShift;
 /** Clearances that differ by less are removed first come, first served: in waves, which keeps them in order
  * too. */
 constexpr float kBucketCells = 2.0F;
-/** Cells of a band of rows: at two bytes a cell a band and its queue fit a cache of half a megabyte. */
-constexpr std::size_t kBandCells = 1U << 17U;
+/** A wave takes a layer of one cell; a bucket opens when the one before has had time for its two layers and
+ * for cells that had to wait for a neighbour. */
+constexpr std::size_t kWavesPerBucket = 3;
+/** Cells of a band of rows, and waves that follow one another closely from band to band: at two bytes a cell
+ * the bands at work fit a cache of half a megabyte. */
+constexpr std::size_t kBandCells = 1U << 15U, kWavesPerSweep = 8;
 
-/** Runs around the ring of neighbours; a 4-connected run counts when it holds a cell that shares a side. */
-int figureRuns(std::uint8_t ring)
+std::uint16_t bucketOf(std::int32_t squaredClearance)
 {
-    if (ring == 0xFF) return 1;
-    int start = 0;
-    while ((ring >> start) & 1) ++start;
-    int runs = 0;
-    bool touchesSide = false;
-    for (int k = 1; k <= 8; ++k) {
-        const int i = (start + k) % 8;
-        if ((ring >> i) & 1)
-            touchesSide = touchesSide || i % 2 == 0;
-        else {
-            runs += touchesSide ? 1 : 0;
-            touchesSide = false;
-        }
+    const float bucket = std::sqrt(static_cast<float>(squaredClearance)) * (1.0F / kBucketCells);
+    return static_cast<std::uint16_t>(std::min(static_cast<int>(bucket), kMaxBucket) << kBucketShift);
+}
+
+/** Buckets and figure bits of a row. The distance of cells that are not free is 0, and so is their bucket. */
+GR2TO_VECTORISED
+void startRow(const CellState* cells, const std::int32_t* squared, int width, std::uint16_t* out)
+{
+    for (int x = 0; x < width; ++x) out[x] = bucketOf(squared[x]);
+    for (int x = 0; x < width; ++x)
+        out[x] = static_cast<std::uint16_t>(out[x] | (cells[x] == CellState::Free ? kFigure : 0));
+}
+
+/** Marks the cells of a row that may be removed and have a neighbour that does not belong to the figure. */
+GR2TO_VECTORISED
+void markOuter(const std::uint16_t* middle, std::size_t stride, std::size_t width, std::uint8_t* outer)
+{
+    const std::uint16_t* below = middle - stride;
+    const std::uint16_t* above = middle + stride;
+    for (std::size_t x = 0; x < width; ++x) {
+        const unsigned inner = *(below + x - 1) & below[x] & below[x + 1] & *(middle + x - 1) &
+                               middle[x + 1] & *(above + x - 1) & above[x] & above[x + 1];
+        const bool free = (middle[x] & (kFigure | kAnchor)) == kFigure;
+        outer[x] = static_cast<std::uint8_t>(free && !(inner & kFigure));
     }
-    return runs;
-}
-
-/** Components of the ground among the neighbours, corners joined by sides (8-connected). */
-int groundRuns(std::uint8_t ring)
-{
-    const auto ground = static_cast<std::uint8_t>(~ring);
-    if (ground == 0) return 0;
-    const std::uint8_t sides = ground & 0x55U;
-    if (sides == 0) return __builtin_popcount(ground);
-    // Two ground sides next to each other share a corner and touch across it even when that corner is figure.
-    std::uint8_t joined = ground;
-    for (int corner = 1; corner < 8; corner += 2) {
-        const int before = corner - 1, after = (corner + 1) % 8;
-        if (((ground >> before) & 1) && ((ground >> after) & 1))
-            joined = static_cast<std::uint8_t>(joined | 1U << corner);
-    }
-    if (joined == 0xFF) return 1;
-    int runs = 0;
-    for (int i = 0; i < 8; ++i)
-        if (((joined >> i) & 1) && !((joined >> ((i + 7) % 8)) & 1)) ++runs;
-    return runs;
-}
-
-std::array<bool, 256> makeSimpleTable()
-{
-    std::array<bool, 256> table{};
-    for (unsigned ring = 0; ring < 256; ++ring)
-        table[ring] = figureRuns(static_cast<std::uint8_t>(ring)) == 1 &&
-                      groundRuns(static_cast<std::uint8_t>(ring)) == 1;
-    return table;
-}
-
-const std::array<bool, 256>& simpleTable()
-{
-    static const std::array<bool, 256> table = makeSimpleTable();
-    return table;
 }
 
 /** The thinning in progress.
  *
- * Cells wait in buckets of similar clearance, one set of buckets for each band of rows. All bands finish a
- * wave before the next begins, but one band after the other, so that a band's cells stay in the processor's
- * cache. A band that ran ahead by more than a wave would leave curves along its border.
+ * Cells wait in buckets of similar clearance and are removed in waves, one set of buckets and queues for each
+ * band of rows, so that the cells at work stay in the processor's cache.
  */
 class Thinner
 {
@@ -92,10 +72,7 @@ class Thinner
             const CellState* cells = grid.row(y);
             const std::int32_t* squared = distances.squared.data() + grid.index({0, y});
             std::uint16_t* out = &m_cells[m_cells.index({0, y})];
-            // The distance of cells that are not free is 0, and so is their bucket.
-            for (int x = 0; x < grid.width(); ++x) out[x] = bucketOf(squared[x]);
-            for (int x = 0; x < grid.width(); ++x)
-                out[x] = static_cast<std::uint16_t>(out[x] | (cells[x] == CellState::Free ? kFigure : 0));
+            startRow(cells, squared, grid.width(), out);
         }
         m_bandCells = m_cells.stride() * std::max<std::size_t>(1, kBandCells / m_cells.stride());
         m_bands.resize(m_cells.size() / m_bandCells + 1);
@@ -109,13 +86,12 @@ class Thinner
     /** Removes all that is no anchor and not needed for the topology. */
     void thinAroundAnchors()
     {
-        std::vector<std::uint16_t> inner(static_cast<std::size_t>(m_cells.width()));
+        std::vector<std::uint8_t> outer(static_cast<std::size_t>(m_cells.width()));
         for (int y = 0; y < m_cells.height(); ++y) {
             const std::size_t row = m_cells.index({0, y});
-            markInner(row, inner);
-            for (std::size_t x = 0; x < inner.size(); ++x)
-                if (!(inner[x] & kFigure) && (m_cells[row + x] & kStateBits) == kFigure)
-                    enqueue(row + x, row / m_bandCells);
+            markOuter(&m_cells[row], m_cells.stride(), outer.size(), outer.data());
+            for (std::size_t x = 0; x < outer.size(); ++x)
+                if (outer[x] && !(m_cells[row + x] & kQueued)) enqueue(row + x, row / m_bandCells, 0);
         }
         drain([](std::uint8_t) { return false; });
     }
@@ -131,7 +107,7 @@ class Thinner
         }
         for (const Cell c : anchors)
             if (const std::size_t i = m_cells.index(c); (m_cells[i] & kStateBits) == kFigure)
-                enqueue(i, i / m_bandCells);
+                enqueue(i, i / m_bandCells, 0);
         drain(isEnd);
     }
 
@@ -149,16 +125,9 @@ class Thinner
  private:
     struct Band
     {
-        std::vector<std::vector<std::uint32_t>> buckets;
-        std::vector<std::uint32_t> working;  //!< cells of the current wave
-        std::vector<std::uint32_t> next;     //!< cells of the next wave
+        std::vector<std::vector<std::uint32_t>> buckets;   //!< cells whose bucket is not open yet
+        std::array<std::vector<std::uint32_t>, 2> queues;  //!< cells of even and of odd waves
     };
-
-    static std::uint16_t bucketOf(std::int32_t squaredClearance)
-    {
-        const float bucket = std::sqrt(static_cast<float>(squaredClearance)) * (1.0F / kBucketCells);
-        return static_cast<std::uint16_t>(std::min(static_cast<int>(bucket), kMaxBucket) << kBucketShift);
-    }
 
     /** One side neighbour, and no other cell of the figure but one of the corners beside it. */
     static bool isEnd(std::uint8_t ring)
@@ -168,87 +137,78 @@ class Thinner
         return (ring & ~(1U << side | 1U << (side + 1) % 8 | 1U << (side + 7) % 8)) == 0;
     }
 
-    /** Sets the figure bit of `inner` for the cells of a row whose eight neighbours all belong to the figure.
-     */
-    void markInner(std::size_t row, std::vector<std::uint16_t>& inner) const
+    /** Neighbours of a cell, a bit each around it. */
+    struct Ring
     {
-        const std::uint16_t* middle = &m_cells[row];
-        const std::uint16_t* below = middle - m_cells.stride();
-        const std::uint16_t* above = middle + m_cells.stride();
-        for (std::size_t x = 0; x < inner.size(); ++x)
-            inner[x] =
-                static_cast<std::uint16_t>(*(below + x - 1) & below[x] & below[x + 1] & *(middle + x - 1) &
-                                           middle[x + 1] & *(above + x - 1) & above[x] & above[x + 1]);
-    }
+        unsigned figure = 0;  //!< those that belong to the figure
+        unsigned idle = 0;    //!< those of them that may be queued and are not
+    };
 
-    std::uint8_t ring(std::size_t i) const
+    Ring ring(std::size_t i) const
     {
         const std::uint16_t* at = &m_cells[i];
-        unsigned bits = 0;
-        for (unsigned k = 0; k < 8; ++k) bits |= (at[m_steps[k]] & kFigure) << k;
-        return static_cast<std::uint8_t>(bits);
+        Ring ring;
+        for (unsigned k = 0; k < 8; ++k) {
+            const unsigned state = at[m_steps[k]] & kStateBits;
+            ring.figure |= (state & kFigure) << k;
+            ring.idle |= (state == kFigure ? 1U : 0U) << k;
+        }
+        return ring;
     }
 
-    void enqueue(std::size_t i, std::size_t b)
+    /** Puts a cell into the queue of a wave, or into its bucket when that opens later. */
+    void enqueue(std::size_t i, std::size_t b, std::size_t wave)
     {
         m_cells[i] |= kQueued;
+        ++m_queued;
         Band& band = m_bands[b];
         const std::size_t bucket = m_cells[i] >> kBucketShift;
-        if (bucket <= m_current) {
-            if (band.next.empty()) m_waiting.push_back(b);
-            band.next.push_back(static_cast<std::uint32_t>(i));
-            return;
-        }
-        if (bucket >= band.buckets.size()) band.buckets.resize(bucket + 1);
-        band.buckets[bucket].push_back(static_cast<std::uint32_t>(i));
-        m_highest = std::max(m_highest, bucket);
+        if (bucket * kWavesPerBucket > wave && bucket >= band.buckets.size()) band.buckets.resize(bucket + 1);
+        auto& cells = bucket * kWavesPerBucket > wave ? band.buckets[bucket] : band.queues[wave % 2];
+        cells.push_back(static_cast<std::uint32_t>(i));
     }
 
+    /** Runs waves until no cell is queued, a few of them in each sweep over the bands.
+     *
+     * A band takes its next wave as soon as the bands beside it have taken the last one: the result is the
+     * same as if all bands took one wave after the other.
+     */
     template <class Keep>
     void drain(const Keep& keep)
     {
-        for (m_current = 0; m_current <= m_highest; ++m_current) {
-            for (std::size_t b = 0; b < m_bands.size(); ++b) takeBucket(b);
-            while (!m_waiting.empty()) {
-                std::vector<std::size_t> bands;
-                bands.swap(m_waiting);
-                for (const std::size_t b : bands) m_bands[b].working.swap(m_bands[b].next);
-                for (const std::size_t b : bands) drainBand(b, keep);
-            }
-        }
-        m_current = 0;
-        m_highest = 0;
-    }
-
-    void takeBucket(std::size_t b)
-    {
-        Band& band = m_bands[b];
-        if (m_current >= band.buckets.size() || band.buckets[m_current].empty()) return;
-        if (band.next.empty()) m_waiting.push_back(b);
-        auto& bucket = band.buckets[m_current];
-        band.next.insert(band.next.end(), bucket.begin(), bucket.end());
-        std::vector<std::uint32_t>().swap(bucket);
+        for (std::size_t firstWave = 0; m_queued > 0; firstWave += kWavesPerSweep)
+            for (std::size_t step = 0; step < m_bands.size() + kWavesPerSweep - 1; ++step)
+                for (std::size_t k = 0; k < std::min(step + 1, kWavesPerSweep); ++k)
+                    if (step - k < m_bands.size()) runWave(step - k, firstWave + k, keep);
     }
 
     template <class Keep>
-    void drainBand(std::size_t b, const Keep& keep)
+    void runWave(std::size_t b, std::size_t wave, const Keep& keep)
     {
         Band& band = m_bands[b];
+        auto& queue = band.queues[wave % 2];
+        if (const std::size_t bucket = wave / kWavesPerBucket;
+            wave % kWavesPerBucket == 0 && bucket < band.buckets.size())
+        {
+            auto& opened = band.buckets[bucket];
+            queue.insert(queue.end(), opened.begin(), opened.end());
+            std::vector<std::uint32_t>().swap(opened);
+        }
         const std::size_t first = b * m_bandCells, last = first + m_bandCells;
-        // The queue grows while it is walked.
-        for (const std::size_t i : band.working) {
+        for (const std::size_t i : queue) {
             m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kQueued);
-            const std::uint8_t around = ring(i);
-            if (!m_simple[around] || keep(around)) continue;
+            const Ring around = ring(i);
+            const auto figure = static_cast<std::uint8_t>(around.figure);
+            if (!m_simple[figure] || keep(figure)) continue;
             m_cells[i] = 0;
-            for (unsigned left = around; left != 0; left &= left - 1) {
+            for (unsigned left = around.idle; left != 0; left &= left - 1) {
                 const std::ptrdiff_t step = m_steps[static_cast<unsigned>(__builtin_ctz(left))];
                 const auto j = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) + step);
-                if ((m_cells[j] & kStateBits) == kFigure)
-                    enqueue(j, j < first ? b - 1 : j < last ? b : b + 1);
+                enqueue(j, j < first ? b - 1 : j < last ? b : b + 1, wave + 1);
             }
         }
-        band.working.clear();
+        m_queued -= queue.size();
+        queue.clear();
     }
 
     Padded<std::uint16_t> m_cells;  //!< figure, anchor and queued bits, and the bucket above them
@@ -256,10 +216,9 @@ class Thinner
     const std::array<bool, 256>& m_simple;
     std::size_t m_bandCells = 0;
     std::vector<Band> m_bands;
-    std::vector<std::size_t> m_waiting;  //!< bands with cells of the current bucket
-    std::size_t m_current = 0;
-    std::size_t m_highest = 0;
+    std::size_t m_queued = 0;  //!< cells in queues and buckets
 };
+
 /** Cells by whole cells of clearance, in the given order where it is the same. */
 std::vector<Cell> sortedByClearance(const std::vector<Cell>& cells, const DistanceMap& distances)
 {
@@ -275,11 +234,6 @@ std::vector<Cell> sortedByClearance(const std::vector<Cell>& cells, const Distan
     return sorted;
 }
 }  // namespace
-
-bool isSimple(std::uint8_t neighbours)
-{
-    return simpleTable()[neighbours];
-}
 
 Mask thin(const ClassifiedGrid& grid, const DistanceMap& distances, const std::vector<Cell>& anchors)
 {

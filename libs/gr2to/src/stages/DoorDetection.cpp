@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/vectorised.h"
+
 namespace gr2to
 {
 namespace
@@ -39,6 +41,32 @@ std::array<bool, 1 << kSamples> makeOppositeTable()
     return table;
 }
 
+/** For the cells from first to last of a row, which samples are farther from obstacles than they, a bit each.
+ */
+GR2TO_VECTORISED
+void compareSamples(const std::int32_t* row, const std::array<std::ptrdiff_t, kSamples>& steps, int first,
+                    int last, std::uint8_t* farther)
+{
+    for (int x = first; x < last; ++x) farther[x] = 0;
+    for (std::size_t i = 0; i < steps.size(); ++i) {  // one sample at a time, to be vectorised
+        const std::int32_t* sample = row + steps[i];
+        const auto bit = static_cast<std::uint8_t>(1U << i);
+        for (int x = first; x < last; ++x)
+            farther[x] = static_cast<std::uint8_t>(farther[x] | (sample[x] > row[x] ? bit : 0));
+    }
+}
+
+/** Clears the bits of cells that are too narrow or too wide for a door. */
+GR2TO_VECTORISED
+void keepBetween(const std::int32_t* row, int width, std::int32_t min, std::int32_t max,
+                 std::uint8_t* farther)
+{
+    for (int x = 0; x < width; ++x) {
+        const bool fits = static_cast<int>(row[x] > min) & static_cast<int>(row[x] < max);
+        farther[x] = static_cast<std::uint8_t>(fits ? farther[x] : 0);
+    }
+}
+
 /** The cells that satisfy eq. (8). */
 class LikelyCells
 {
@@ -59,30 +87,33 @@ class LikelyCells
     std::vector<Cell> find() const
     {
         std::vector<Cell> likely;
+        std::vector<std::uint8_t> farther(static_cast<std::size_t>(m_distances.width));
         for (int y = 0; y < m_distances.height; ++y) {
-            const std::int32_t* row = m_distances.squared.data() + m_distances.index({0, y});
-            const bool innerRow = y >= m_reach && y + m_reach < m_distances.height;
-            for (int x = 0; x < m_distances.width; ++x) {
-                if (row[x] <= m_minSquared || row[x] >= m_maxSquared) continue;
-                const bool inner = innerRow && x >= m_reach && x + m_reach < m_distances.width;
-                if (m_hasOpposite[inner ? fartherAround(row + x) : fartherWithin({x, y})])
-                    likely.push_back({x, y});
-            }
+            compareRow(y, farther);
+            for (int x = 0; x < m_distances.width; ++x)
+                if (m_hasOpposite[farther[static_cast<std::size_t>(x)]]) likely.push_back({x, y});
         }
         return likely;
     }
 
  private:
-    /** Which samples are farther from obstacles than the cell, a bit each; none may lie beyond the border. */
-    unsigned fartherAround(const std::int32_t* here) const
+    /** For each cell of a row, which samples are farther from obstacles than it, a bit each; none for cells
+     * that are too narrow or too wide for a door. */
+    void compareRow(int y, std::vector<std::uint8_t>& farther) const
     {
-        unsigned farther = 0;
-        for (unsigned i = 0; i < kSamples; ++i) farther |= (here[m_steps[i]] > *here ? 1U : 0U) << i;
-        return farther;
+        const bool innerRow = y >= m_reach && y + m_reach < m_distances.height;
+        const int first = innerRow ? std::min(m_reach, m_distances.width) : m_distances.width;
+        const int last = std::max(first, m_distances.width - m_reach);
+        for (int x = 0; x < first; ++x) farther[static_cast<std::size_t>(x)] = fartherWithin({x, y});
+        const std::int32_t* row = m_distances.squared.data() + m_distances.index({0, y});
+        compareSamples(row, m_steps, first, last, farther.data());
+        for (int x = last; x < m_distances.width; ++x)
+            farther[static_cast<std::size_t>(x)] = fartherWithin({x, y});
+        keepBetween(row, m_distances.width, m_minSquared, m_maxSquared, farther.data());
     }
 
-    /** The same near the border: samples beyond it are not farther. */
-    unsigned fartherWithin(Cell c) const
+    /** The same for one cell near the border: samples beyond it are not farther. */
+    std::uint8_t fartherWithin(Cell c) const
     {
         const std::int32_t here = m_distances.squared[m_distances.index(c)];
         unsigned farther = 0;
@@ -92,7 +123,7 @@ class LikelyCells
                                 sample.y < m_distances.height;
             if (inside && m_distances.squared[m_distances.index(sample)] > here) farther |= 1U << i;
         }
-        return farther;
+        return static_cast<std::uint8_t>(farther);
     }
 
     const DistanceMap& m_distances;

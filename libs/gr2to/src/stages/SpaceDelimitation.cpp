@@ -109,9 +109,10 @@ class MapMaker
         m_result.places = partition(m_grid, m_voronoi, placeOfCell, m_borders);
         m_cellsOfPlace.assign(m_drafts.size() + 1, 0);
         const std::vector<PlaceId>& ids = m_result.places.ids;
-        for (std::size_t begin = 0, end = 0; begin < ids.size(); begin = end) {
-            while (end < ids.size() && ids[end] == ids[begin]) ++end;
-            m_cellsOfPlace[ids[begin]] += end - begin;
+        for (auto begin = ids.begin(); begin != ids.end();) {
+            const auto end = std::find_if(begin, ids.end(), [&](PlaceId id) { return id != *begin; });
+            m_cellsOfPlace[*begin] += static_cast<std::size_t>(end - begin);
+            begin = end;
         }
     }
 
@@ -159,8 +160,7 @@ class MapMaker
 
     Wall wallBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
     {
-        double covered = 0;
-        std::vector<Eigen::Vector2d> support = supportOf(from, to, &covered);
+        auto [support, covered] = cellsAlong(m_closedGrid, from, to);
         Wall wall;
         wall.id = ++m_wallCount;
         wall.real = covered > m_options.real_wall_ratio;
@@ -178,35 +178,6 @@ class MapMaker
         wall.size.length_m = wall.real ? fit.length_m : along.norm() * m_grid.resolution_m();
         wall.size.covariance(0, 0) = fit.lengthVariance;
         return wall;
-    }
-
-    /** Map positions of the occupied cells within a cell of a segment, and the part of its length that they
-     * cover. */
-    std::vector<Eigen::Vector2d> supportOf(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
-                                           double* covered) const
-    {
-        const int samples = std::max(1, static_cast<int>(std::ceil((to - from).norm())));  // one a cell
-        std::vector<std::size_t> support;
-        int hits = 0;
-        for (int k = 0; k <= samples; ++k) {
-            const Eigen::Vector2d p = from + (to - from) * (static_cast<double>(k) / samples);
-            bool hit = false;
-            for (int dy = -1; dy <= 1; ++dy)
-                for (int dx = -1; dx <= 1; ++dx) {
-                    const Cell c{roundToCell(p.x()) + dx, roundToCell(p.y()) + dy};
-                    if (!m_closedGrid.isOccupied(c)) continue;
-                    hit = true;
-                    support.push_back(m_grid.index(c));
-                }
-            hits += hit ? 1 : 0;
-        }
-        *covered = static_cast<double>(hits) / (samples + 1);
-        std::sort(support.begin(), support.end());
-        support.erase(std::unique(support.begin(), support.end()), support.end());
-        std::vector<Eigen::Vector2d> points;
-        points.reserve(support.size());
-        for (const std::size_t i : support) points.push_back(m_grid.frame().toMap(m_grid.cell(i)));
-        return points;
     }
 
     void addConnections()

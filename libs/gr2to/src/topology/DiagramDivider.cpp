@@ -38,11 +38,12 @@ PlaceGraph DiagramDivider::divide()
         do {
             m_graph.circles = found;
             blockDoors();
-            m_graph.circleOfCell = addMissingCircles();
+            m_graph.circleOfCell = addMissingCircles();  // parts, for now
         } while (dropDoors(leadsNowhere));
-        m_graph.circleOfCell = m_meeting == MeetingRule::HalfWay
-                                   ? m_curves.growCircles(m_graph.circles, m_blocked)
-                                   : m_curves.floodCircles(m_graph.circles, m_blocked, m_distances);
+        m_graph.circleOfCell =
+            m_meeting == MeetingRule::HalfWay
+                ? m_curves.growCircles(m_graph.circles, m_graph.circleOfCell)
+                : m_curves.floodCircles(m_graph.circles, m_graph.circleOfCell, m_distances);
     } while (dropDoors(leadsBack));
     linkAtOpenings();
     linkAtDoors();

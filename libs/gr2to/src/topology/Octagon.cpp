@@ -49,23 +49,25 @@ OctagonGrower::OctagonGrower(const ClassifiedGrid& closedDoors, const DistanceMa
 
 /** Walks from the centre cell by cell until it leaves the free space, with leaps where nothing can be near.
  *
- * The grid's border is no obstacle, so that no leap may end beyond it.  * No obstacle is nearer than the
+ * The grid's border is no obstacle, so that no leap may end beyond it. No obstacle is nearer than the
  * clearance c. A closed door of half length h whose jambs are at least c away is at least sqrt(c^2 - h^2)
  * away.
  */
 OctagonGrower::Ray OctagonGrower::castRay(Cell from, const Eigen::Vector2d& direction) const
 {
-    const double step = 1.0 / direction.cwiseAbs().maxCoeff();
-    const int inside = stepsInside(m_grid, from, step * direction);
+    const double stepsPerCell = direction.cwiseAbs().maxCoeff(), step = 1.0 / stepsPerCell;
+    const Eigen::Vector2d move = step * direction;
+    const int inside = stepsInside(m_grid, from, move);
     double length = 0;
     for (int k = 1;;) {
-        const Cell c{from.x + roundToCell(k * step * direction.x()),
-                     from.y + roundToCell(k * step * direction.y())};
-        if (!m_grid.contains(c) || m_grid.at(c) == CellState::Unknown) return {length, false};
+        const Cell c{from.x + roundToCell(k * move.x()), from.y + roundToCell(k * move.y())};
+        if (k > inside && !m_grid.contains(c)) return {length, false};
+        const CellState state = m_grid.at(c);
+        if (state == CellState::Unknown) return {length, false};
         length = k * step;
-        if (m_grid.at(c) == CellState::Occupied) return {length, true};
+        if (state == CellState::Occupied) return {length, true};
         const double squared = m_distances.squared[m_distances.index(c)] - m_squaredHalfDoor;
-        const int leap = squared > 16 ? static_cast<int>((std::sqrt(squared) - 2) / step) : 1;
+        const int leap = squared > 16 ? static_cast<int>((std::sqrt(squared) - 2) * stepsPerCell) : 1;
         k = std::max(k + 1, std::min(k + leap, inside));
     }
 }

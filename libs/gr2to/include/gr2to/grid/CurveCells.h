@@ -37,19 +37,33 @@ class CurveCells
     /** For each cell the circle that reaches it first along the diagram, none() where none does.
      *
      * Circles grow at the same speed from their rims: a cell's cost is the length of the way to it less the
-     * radius. \param circles  centred on cells of the diagram  \param blocked  cells that no way may pass
+     * radius.
+     * \param circles  centred on cells of the diagram
+     * \param partOf  as from parts(); no circle leaves its part, nor are the cells of -1 entered
      */
-    std::vector<int> growCircles(const std::vector<Circle>& circles, const std::vector<bool>& blocked) const;
+    std::vector<int> growCircles(const std::vector<Circle>& circles, const std::vector<int>& partOf) const;
 
     /** For each cell the circle whose way to it stays widest, none() where none reaches it.
      *
      * Circles flood the diagram from wide to narrow, so that two of them meet at the narrowest cell between
-     * them.
+     * them. Parameters as for growCircles().
      */
-    std::vector<int> floodCircles(const std::vector<Circle>& circles, const std::vector<bool>& blocked,
+    std::vector<int> floodCircles(const std::vector<Circle>& circles, const std::vector<int>& partOf,
                                   const DistanceMap& distances) const;
 
  private:
+    struct Start
+    {
+        std::size_t cell;
+        int circle;
+    };
+    /** The circles' centres, part by part, in the circles' order inside each. */
+    std::vector<Start> startsByPart(const std::vector<Circle>& circles, const std::vector<int>& partOf) const;
+    /** Grows the circles of one part after the other: small parts stay in the processor's cache. */
+    template <class GrowPart>
+    std::vector<int> growByPart(const std::vector<Circle>& circles, const std::vector<int>& partOf,
+                                const GrowPart& growPart) const;
+
     const VoronoiGraph& m_voronoi;
     std::vector<std::array<int, 4>> m_neighbours;
 };
