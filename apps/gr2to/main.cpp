@@ -8,6 +8,7 @@
 #include "Command.h"
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/base/errors.h"
+#include "gr2to/base/interruption.h"
 #include "help.h"
 #include "parse.h"
 
@@ -74,6 +75,7 @@ int complain(int code, std::string message)
 
 int main(int argc, char** argv)
 {
+    removeUnfinishedOutputOnSignals();
     std::signal(SIGXFSZ, SIG_IGN);  // a file over the user's limit is an error to report, not a reason to die
     try {
         return run({argv + 1, argv + argc});

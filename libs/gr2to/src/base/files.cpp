@@ -91,7 +91,7 @@ OutputTransaction::~OutputTransaction()
     std::error_code ignored;
     for (const auto& file : m_files) fs::remove(file.temporary, ignored);
     for (auto folder = m_foldersMade.rbegin(); folder != m_foldersMade.rend(); ++folder)
-        fs::remove(*folder, ignored);  // only when empty
+        fs::remove(folder->path, ignored);  // only when empty
 }
 
 fs::path OutputTransaction::stage(const fs::path& target)
@@ -105,14 +105,14 @@ fs::path OutputTransaction::stage(const fs::path& target)
     for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
         if (!fs::create_directory(*p, error) || error)
             throw InputError("the output folder '" + p->string() + "' cannot be made: " + error.message());
-        m_foldersMade.push_back(*p);
+        m_foldersMade.push_back({*p, UnfinishedOutput(*p)});
     }
     if (!fs::is_directory(folder, error)) throw InputError("'" + folder.string() + "' is not a folder");
     if (::access(folder.c_str(), W_OK | X_OK) != 0)
         throw InputError("the output folder '" + folder.string() + "' is not writable: " + reason());
     fs::path temporary = folder / ("." + target.filename().string() + ".part-" + std::to_string(::getpid()));
     tryToCreate(temporary, folder);
-    m_files.push_back({temporary, target});
+    m_files.push_back({temporary, target, UnfinishedOutput(temporary)});
     return temporary;
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/vectorised.h"
+#include "gr2to/base/text.h"
 
 namespace gr2to
 {
@@ -274,8 +275,8 @@ std::vector<OptionField> TDoorOptions::fields()
 void TDoorOptions::checkRules() const
 {
     if (max_width <= min_width)
-        throw std::invalid_argument("door.max_width = " + std::to_string(max_width) +
-                                    " m must exceed door.min_width = " + std::to_string(min_width) + " m");
+        throw std::invalid_argument("door.max_width = " + numberText(max_width) +
+                                    " m must exceed door.min_width = " + numberText(min_width) + " m");
 }
 
 DoorDetector::DoorDetector(TDoorOptions options) : m_options(std::move(options))

@@ -11,10 +11,11 @@ namespace
 {
 using Eigen::Vector2d;
 
-constexpr double kVirtualShare = 0.6;       // width of a virtual wall or opening, of a real one's
-constexpr double kCasing = 1.5;             // width of the light line under a door, of the door's
-constexpr double kConnectionOpacity = 0.7;  // a corridor with many doors is a star of them
-constexpr double kOutlineShare = 0.2;       // of a dot's diameter
+constexpr double kVirtualShare = 0.6;  // width of a virtual wall or opening, of a real one's
+constexpr double kCasing = 1.5;        // width of the light line under a door, of the door's
+constexpr double kConnectionOpacity = 0.7;
+constexpr double kStub_m = 0.5;        // of a connection whose place's centre is not in sight of the door
+constexpr double kOutlineShare = 0.2;  // of a dot's diameter
 constexpr std::ptrdiff_t kSmoothing_cells =
     2;                                    // on either side: turns the staircases of a cell path into slopes
 constexpr double kShortestMove_px = 1.5;  // of a drawn polyline
@@ -80,17 +81,6 @@ Vector2d centerOf(const Scene& scene, PlaceId id)
     return scene.gridPoint(center.x, center.y);
 }
 
-void drawConnections(const Scene& scene, const std::vector<Connection>& connections)
-{
-    for (const auto& connection : connections) {
-        const auto& door = connection.doorway.position.mean;
-        scene.canvas.moveTo(scene.layout.toPicture(centerOf(scene, connection.from)));
-        scene.canvas.lineTo(scene.picture(door.x, door.y));
-        scene.canvas.lineTo(scene.layout.toPicture(centerOf(scene, connection.to)));
-    }
-    scene.canvas.stroke(palette::ink, scene.px(scene.options.connection_width), 0, kConnectionOpacity);
-}
-
 /** Direction of a doorway along the grid's axes: from its jambs, else square to the line between its places.
  */
 Vector2d directionOf(const Scene& scene, const Connection& connection, const Vector2d& center)
@@ -99,6 +89,46 @@ Vector2d directionOf(const Scene& scene, const Connection& connection, const Vec
     if (const auto found = doorDirection(scene.input.grid, center, length_cells + 2)) return *found;
     const Vector2d between = centerOf(scene, connection.to) - centerOf(scene, connection.from);
     return between.norm() > 0 ? Vector2d(-between.y(), between.x()).normalized() : Vector2d(1, 0);
+}
+
+/** Whether the straight line between two points of the grid crosses other places or obstacles, the doorway's
+ * surroundings left out. */
+bool leavesPlace(const Scene& scene, PlaceId id, const Vector2d& door, const Vector2d& center)
+{
+    const double length = (center - door).norm();
+    for (double s = kStub_m / scene.input.grid.resolution_m(); s < length; s += 1) {
+        const Vector2d p = door + (center - door) * (s / length);
+        const Cell c{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+        if (!scene.input.grid.contains(c) || scene.input.places.at(c) != id) return true;
+    }
+    return false;
+}
+
+/** A line from a doorway to a place's centre, or into the place when the centre is not in sight. */
+void drawLeg(const Scene& scene, const Connection& connection, PlaceId id)
+{
+    const auto& mean = connection.doorway.position.mean;
+    const Vector2d door = scene.gridPoint(mean.x, mean.y), center = centerOf(scene, id);
+    Vector2d end = center;
+    if (leavesPlace(scene, id, door, center)) {
+        const Vector2d along = directionOf(scene, connection, door);
+        const Vector2d across = Vector2d(-along.y(), along.x()) * (kStub_m / scene.input.grid.resolution_m());
+        const auto isThere = [&](const Vector2d& p) {
+            const Cell c{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
+            return scene.input.grid.contains(c) && scene.input.places.at(c) == id;
+        };
+        end = isThere(door - across) && !isThere(door + across) ? Vector2d(door - across)
+                                                                : Vector2d(door + across);
+    }
+    scene.canvas.moveTo(scene.layout.toPicture(door));
+    scene.canvas.lineTo(scene.layout.toPicture(end));
+}
+
+void drawConnections(const Scene& scene, const std::vector<Connection>& connections)
+{
+    for (const auto& connection : connections)
+        for (const PlaceId id : {connection.from, connection.to}) drawLeg(scene, connection, id);
+    scene.canvas.stroke(palette::ink, scene.px(scene.options.connection_width), 0, kConnectionOpacity);
 }
 
 void drawDoors(const Scene& scene, const std::vector<Connection>& connections)

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "gr2to/base/interruption.h"
+
 namespace gr2to
 {
 /** Writes a whole file. \throws OutputError  it cannot be created or not all bytes could be stored (disk
@@ -46,8 +48,14 @@ class OutputTransaction
     {
         std::filesystem::path temporary;
         std::filesystem::path target;
+        UnfinishedOutput unfinished;
+    };
+    struct Folder
+    {
+        std::filesystem::path path;
+        UnfinishedOutput unfinished;
     };
     std::vector<Staged> m_files;
-    std::vector<std::filesystem::path> m_foldersMade;
+    std::vector<Folder> m_foldersMade;
 };
 }  // namespace gr2to
