@@ -73,7 +73,7 @@ class Compare : public Command
     std::string m_grid;
     bool m_json = false;
     TGridReaderOptions m_reader;
-    TableOptions m_tables{{&m_reader}};
+    TableOptions m_tables{{&m_reader, &m_reader.scans}};
 };
 
 /** The file of the topological map; none when only places are there. */

@@ -35,6 +35,12 @@ std::string line(const std::string& name, const std::string& text)
     constexpr std::size_t WIDTH = 12;
     return "  " + name + std::string(WIDTH - name.size(), ' ') + text + "\n";
 }
+
+std::string scansText(const ScanCounts& scans)
+{
+    return std::to_string(scans.keyframes) + ", " + std::to_string(scans.inserted) + " of " +
+           std::to_string(scans.observations) + " observations inserted";
+}
 }  // namespace
 
 std::string gridText(const std::filesystem::path& file, const ClassifiedGrid& grid, const GridSource& source)
@@ -43,6 +49,7 @@ std::string gridText(const std::filesystem::path& file, const ClassifiedGrid& gr
     std::string text =
         file.string() + ": occupancy grid\n" +
         line("format", source.format + (source.image.empty() ? "" : " of '" + source.image.string() + "'")) +
+        (source.scans ? line("keyframes", scansText(*source.scans)) : "") +
         line("size", std::to_string(grid.width()) + " x " + std::to_string(grid.height()) + " cells") +
         line("resolution", numberText(frame.resolution_m) + " m a cell") +
         line("extent", fixedText(grid.width() * frame.resolution_m, 2) + " x " +
@@ -62,6 +69,10 @@ std::string gridJson(const std::filesystem::path& file, const ClassifiedGrid& gr
     Json json = {{"file", file.string()}, {"kind", "grid"}};
     json.update(frameJson(source.format, grid.width(), grid.height(), grid.frame()));
     if (!source.image.empty()) json["image"] = source.image.string();
+    if (source.scans)
+        json["scans"] = {{"keyframes", source.scans->keyframes},
+                         {"observations", source.scans->observations},
+                         {"inserted", source.scans->inserted}};
     json["extent_m"] = {grid.width() * grid.resolution_m(), grid.height() * grid.resolution_m()};
     for (const StateCount& state : statesOf(grid))
         json[state.name] = {{"cells", state.cells}, {"share", state.share}, {"area_m2", state.area_m2}};

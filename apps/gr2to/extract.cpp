@@ -13,6 +13,7 @@
 #include "gr2to/io/PngWriter.h"
 #include "gr2to/io/XmlMap.h"
 #include "gr2to/mrpt/archive.h"
+#include "gr2to/mrpt/simplemap.h"
 #include "parse.h"
 
 namespace gr2to::cli
@@ -73,7 +74,7 @@ class Output
 
  private:
     static constexpr const char* NAMES[] = {"topomap.xml", "topomap.gr2to", "places.png", "overlay.png",
-                                            "overlay.svg"};
+                                            "overlay.svg", "topomap.simplemap"};
     fs::path m_folder;
     OutputTransaction m_files;
     std::vector<fs::path> m_staged;
@@ -117,8 +118,9 @@ class Extract : public Command
                "its "
                "content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), or an MRPT .gridmap "
                "or "
-               ".gridmap.gz.\n\n"
-               "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), places.png "
+               ".simplemap, each also as .gz.\n\n"
+               "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), "
+               "topomap.simplemap (a keyframe with a scan for each place, for MRPT's tools), places.png "
                "(16 bits "
                "a pixel: 0 is no place, else a place's id; same size and orientation as the grid), "
                "overlay.png and "
@@ -143,6 +145,7 @@ class Extract : public Command
     bool m_quiet = false;
     TGridReaderOptions m_reader;
     Gr2ToOptions m_stages;
+    TSimplemapOptions m_simplemap;
     TOverlayOptions m_overlay;
     std::unique_ptr<TableOptions> m_tables;
     ExtractReport m_report;
@@ -164,8 +167,8 @@ void Extract::declare(CLI::App& app)
     app.add_flag("--json", m_json, "Print a summary as JSON instead of the table.");
     app.add_flag("-q,--quiet", m_quiet, "Print neither table nor progress.");
     std::vector<OptionTable*> tables = m_stages.tables();
-    tables.insert(tables.begin(), &m_reader);
-    tables.push_back(&m_overlay);
+    tables.insert(tables.begin(), {&m_reader, &m_reader.scans});
+    tables.insert(tables.end(), {&m_simplemap, &m_overlay});
     m_tables = std::make_unique<TableOptions>(tables);
     m_tables->declare(app);
     m_report.options = tables;
@@ -232,12 +235,18 @@ void Extract::write(const ClassifiedGrid& grid, Extraction& extraction, Output& 
     const std::string png = renderOverlayPng(input, m_overlay);
     const std::string svg = renderOverlaySvg(input, m_overlay);
     m_report.stages.push_back({"drawing", {{"pictures", 2}}, m_watch.lap(), png.size() + svg.size()});
+    progress.step("casting scans");
+    const auto keyframes = toSimplemap(extraction.map, extraction.grid, m_simplemap);
+    const std::string simplemap = encodeSimplemap(keyframes);
+    m_report.stages.push_back(
+        {"scan casting", {{"keyframes", keyframes.size()}}, m_watch.lap(), simplemap.size()});
     progress.step("writing");
     output.write(0, toXml(extraction.map));
     output.write(1, toArchive(extraction.map));
     output.write(2, encodePng16(extraction.places));
     output.write(3, png);
     output.write(4, svg);
+    output.write(5, simplemap);
     output.commit();
     m_report.stages.push_back({"writing", {{"files", output.paths().size()}}, m_watch.lap(), output.bytes()});
 }

@@ -3,6 +3,7 @@
 #include "Command.h"
 #include "TableOptions.h"
 #include "gr2to/io/GridReader.h"
+#include "gr2to/mrpt/simplemap.h"
 #include "gr2to/pipeline/Gr2To.h"
 #include "gr2to/view/Overlay.h"
 
@@ -60,8 +61,8 @@ can be given in three ways; a later one of this list wins:
    ```
 3. `--door-max-width 1.2`, or `--set door.max_width=1.2`, on the command line sets one.
 
-An unknown name is an error that tells the nearest known one; so is a value outside its range. `[input]` and its options are
-also those of `gr2to info` and `gr2to compare`; `--resolution` is short for `--input-resolution`.
+An unknown name is an error that tells the nearest known one; so is a value outside its range. `[input]` and `[scans]` are
+also options of `gr2to info` and `gr2to compare`; `--resolution` is short for `--input-resolution`.
 
 `gr2to options --markdown` prints this page.
 )";
@@ -89,8 +90,9 @@ class Options : public Command
         Gr2ToOptions stages;
         TOverlayOptions overlay;
         std::vector<OptionTable*> tables = stages.tables();
-        tables.insert(tables.begin(), &reader);
-        tables.push_back(&overlay);
+        TSimplemapOptions simplemap;
+        tables.insert(tables.begin(), {&reader, &reader.scans});
+        tables.insert(tables.end(), {&simplemap, &overlay});
         for (OptionTable* table : tables) std::cout << (m_markdown ? section(*table) : iniSection(*table));
         return kDone;
     }

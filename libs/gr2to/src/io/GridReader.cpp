@@ -6,6 +6,7 @@
 #include "io/PgmReader.h"
 #include "io/PngReader.h"
 #include "io/RosYaml.h"
+#include "io/SimplemapReader.h"
 #include "io/errorText.h"
 #include "io/formats.h"
 
@@ -17,6 +18,8 @@ namespace
 {
 constexpr double kRosFree = 0.196;
 constexpr double kRosOccupied = 0.65;
+constexpr double kFreeByOneRay = 0.4;
+constexpr double kScanResolution = 0.05;
 
 std::optional<bool> negateOf(const TGridReaderOptions& options)
 {
@@ -54,6 +57,8 @@ const char* formatName(io::Format format)
             return "PGM image";
         case io::Format::Gridmap:
             return "MRPT grid map";
+        case io::Format::Simplemap:
+            return "MRPT simplemap";
         default:
             return "ROS map_server YAML";
     }
@@ -117,20 +122,38 @@ ClassifiedGrid readYaml(const std::string& text, const fs::path& path, const TGr
     }
 }
 
-ClassifiedGrid readArchive(const std::string& bytes, const std::string& name,
-                           const TGridReaderOptions& options, GridSource& source)
+/** What the options say, else the defaults; of options for images none may be given. */
+OccupancyThresholds thresholdsOf(const TGridReaderOptions& options, OccupancyThresholds thresholds,
+                                 const std::string& name, GridSource& source)
 {
     const auto refuse = [&](const std::string& option) {
-        throw InputError(name + " is an MRPT grid map, to which input." + option +
+        throw InputError(name + " is an " + source.format + ", to which input." + option +
                          " does not apply; remove the option");
     };
     if (options.negate != "auto") refuse("negate");
     if (options.mode != "auto") refuse("mode");
-    OccupancyThresholds thresholds;
     thresholds.occupied = source.occupied_threshold =
         options.occupied_threshold.value_or(thresholds.occupied);
     thresholds.free = source.free_threshold = options.free_threshold.value_or(thresholds.free);
     requireOrder(thresholds.free, thresholds.occupied, name);
+    return thresholds;
+}
+
+ClassifiedGrid readScans(const std::string& bytes, const std::string& name, const TGridReaderOptions& options,
+                         GridSource& source)
+{
+    const OccupancyThresholds thresholds =
+        thresholdsOf(options, {OccupancyThresholds().occupied, kFreeByOneRay}, name, source);
+    options.scans.loadPlugins();
+    return io::gridOfSimplemap(io::readSimplemap(bytes, name), name,
+                               options.resolution.value_or(kScanResolution), options.scans, thresholds,
+                               source.scans.emplace());
+}
+
+ClassifiedGrid readArchive(const std::string& bytes, const std::string& name,
+                           const TGridReaderOptions& options, GridSource& source)
+{
+    const OccupancyThresholds thresholds = thresholdsOf(options, {}, name, source);
     auto grid = io::readGridmap(bytes, name, thresholds);
     if (options.resolution && *options.resolution != grid.resolution_m())
         throw InputError(name + " states its own resolution, " + io::numberText(grid.resolution_m()) +
@@ -143,7 +166,7 @@ ClassifiedGrid readArchive(const std::string& bytes, const std::string& name,
 std::vector<OptionField> TGridReaderOptions::fields()
 {
     return {
-        {"resolution", &resolution, "m", "Side of a cell; auto: what the file states. A bare image needs it.",
+        {"resolution", &resolution, "m", "Side of a cell; auto: what the file states, 0.05 for a simplemap. A bare image needs it.",
          1e-4, 100},
         {"occupied_threshold", &occupied_threshold, "ratio",
          "A cell is occupied when its occupancy probability exceeds this; auto: what the YAML file states, "
@@ -152,7 +175,7 @@ std::vector<OptionField> TGridReaderOptions::fields()
         {"free_threshold", &free_threshold, "ratio",
          "A cell is free when its occupancy probability is below this; auto: what the YAML file states, else "
          "0.196 "
-         "for images and 0.35 for MRPT grids.",
+         "for images, 0.35 for MRPT grids and 0.4 for simplemaps.",
          0, 1},
         {"negate",
          &negate,
@@ -184,6 +207,7 @@ void TGridReaderOptions::checkRules() const
 ClassifiedGrid readGrid(const fs::path& path, const TGridReaderOptions& options, GridSource* source)
 {
     options.check();
+    options.scans.check();
     GridSource ignored;
     GridSource& told = source != nullptr ? *source : ignored;
     told = GridSource{};
@@ -195,9 +219,16 @@ ClassifiedGrid readGrid(const fs::path& path, const TGridReaderOptions& options,
             return readYaml(bytes, path, options, told);
         case io::Format::Gridmap:
             return readArchive(bytes, io::pathInQuotes(path), options, told);
+        case io::Format::Simplemap:
+            return readScans(bytes, io::pathInQuotes(path), options, told);
         default:
             return readBareImage(format, bytes, io::pathInQuotes(path), options, told);
     }
+}
+
+bool isRawlog(const fs::path& path)
+{
+    return io::archiveKind(readFile(path), io::pathInQuotes(path)) == "a rawlog";
 }
 
 void requireUsable(const ClassifiedGrid& grid, const std::string& name)

@@ -152,7 +152,9 @@ std::optional<ArchiveHeader> archiveHeader(std::string_view bytes)
     std::int32_t wide = 0;
     if (!isClassName(header.className) || !(marked ? take(bytes, narrow) : take(bytes, wide))) return {};
     header.version = marked ? narrow : wide;
+    header.hasEndFlag = marked;
     header.size = total - bytes.size();
+    header.fullName = header.className;
     if (const auto colon = header.className.rfind(':'); colon != std::string::npos)
         header.className.erase(0, colon + 1);
     return header;

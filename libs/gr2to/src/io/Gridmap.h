@@ -11,8 +11,10 @@ namespace gr2to::io
 /** How an object in an MRPT archive starts. */
 struct ArchiveHeader
 {
-    std::string className;  //!< without MRPT's namespaces
+    std::string className;  //!< without its namespaces
+    std::string fullName;   //!< as it is stored
     int version = 0;
+    bool hasEndFlag = true;  //!< of the object; MRPT before 0.5.5 wrote none
     std::size_t size = 0;  //!< bytes up to the object's data
 };
 

@@ -36,14 +36,13 @@ constexpr std::array<Named, 5> kOtherNetpbm{{{"P1", "a PBM image"},
                                              {"P6", "a PPM image"},
                                              {"P7", "a PAM image"}}};
 
-constexpr std::array<Named, 5> kUnsupportedNames{{{".bt", "a 3D OctoMap"},
+constexpr std::array<Named, 4> kUnsupportedNames{{{".bt", "a 3D OctoMap"},
                                                   {".ot", "a 3D OctoMap"},
-                                                  {".simplemap", "a simplemap"},
                                                   {".rawlog", "a rawlog"},
                                                   {".pcd", "a 3D point cloud"}}};
 
-constexpr std::array<std::string_view, 9> kBinaryNames{".png", ".pgm", ".gridmap", ".jpg", ".jpeg",
-                                                       ".bmp", ".gif", ".tif",     ".tiff"};
+constexpr std::array<std::string_view, 10> kBinaryNames{
+    ".png", ".pgm", ".gridmap", ".simplemap", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff"};
 
 /** The extension in lower case, without a `.gz` behind it. */
 std::string extensionOf(std::filesystem::path path)
@@ -88,10 +87,12 @@ std::string startOf(std::string_view bytes)
 
 [[noreturn]] void refuseKind(const std::string& name, std::string_view kind)
 {
-    throw InputError(
-        name + " is " + std::string(kind) +
-        "; 3D maps, simplemaps and rawlogs are not supported by this version: give a 2D grid (.yaml, " +
-        ".png, .pgm or .gridmap)");
+    if (kind == "a rawlog")
+        throw InputError(name + " is a rawlog, no map; make a simplemap of it by 'gr2to-rawlog " +
+                         "FILE.rawlog -o FILE.simplemap'");
+    throw InputError(name + " is " + std::string(kind) +
+                     "; 3D maps are not supported by this version: give a 2D grid (.yaml, " +
+                     ".png, .pgm or .gridmap) or a .simplemap");
 }
 
 void refuseKnownOthers(std::string_view bytes, const std::string& name)
@@ -116,10 +117,11 @@ Format formatOf(std::string_view bytes, const std::filesystem::path& path)
     const std::string extension = extensionOf(path);
     const auto* const unsupported = std::find_if(kUnsupportedNames.begin(), kUnsupportedNames.end(),
                                                  [&](const Named& named) { return named.mark == extension; });
-    if (const auto archive = archiveHeader(bytes)) {
-        if (const auto kind = kindOfClass(archive->className); !kind.empty()) refuseKind(name, kind);
-        return Format::Gridmap;
-    }
+    if (const std::string kind = archiveKind(bytes, name); kind == "a simplemap")
+        return Format::Simplemap;
+    else if (!kind.empty())
+        refuseKind(name, kind);
+    if (archiveHeader(bytes)) return Format::Gridmap;
     if (unsupported != kUnsupportedNames.end()) refuseKind(name, unsupported->kind);
     if (isGzip(bytes)) return Format::Gridmap;
     refuseKnownOthers(bytes, name);
@@ -130,6 +132,18 @@ Format formatOf(std::string_view bytes, const std::filesystem::path& path)
                          (isText(bytes) ? "text" : "other data") + " (it starts with " + startOf(bytes) +
                          "); check that it is the right file");
     throw InputError(name + " is not a map that this version knows (it starts with " + startOf(bytes) +
-                     "); give a ROS .yaml, a .png or .pgm image, or an MRPT .gridmap");
+                     "); give a ROS .yaml, a .png or .pgm image, an MRPT .gridmap or .simplemap");
+}
+
+std::string archiveKind(std::string_view bytes, const std::string& name)
+{
+    constexpr std::size_t enoughForTheClass = 256;
+    std::string start;
+    if (isGzip(bytes)) {
+        GzipReader(bytes, name).readUpTo(start, enoughForTheClass);
+        bytes = start;
+    }
+    const auto archive = archiveHeader(bytes);
+    return archive ? kindOfClass(archive->className) : "";
 }
 }  // namespace gr2to::io

@@ -10,7 +10,8 @@ enum class Format
 {
     Png,
     Pgm,
-    Gridmap,  //!< MRPT archive, compressed or not
+    Gridmap,    //!< MRPT archive, compressed or not
+    Simplemap,  //!< the same
     Yaml      //!< text that may be a map's YAML file
 };
 
@@ -19,4 +20,7 @@ enum class Format
  * archive
  */
 Format formatOf(std::string_view bytes, const std::filesystem::path& path);
+
+/** kindOfClass() of what an MRPT archive, compressed or not, begins with; empty when it is none. */
+std::string archiveKind(std::string_view bytes, const std::string& name);
 }  // namespace gr2to::io

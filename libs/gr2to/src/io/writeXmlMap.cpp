@@ -179,6 +179,13 @@ struct StringWriter : pugi::xml_writer
         text.append(static_cast<const char*>(data), size);
     }
 };
+
+std::string textOf(const pugi::xml_document& document)
+{
+    StringWriter writer;
+    document.save(writer, "  ", pugi::format_indent | pugi::format_no_declaration, pugi::encoding_utf8);
+    return writer.text;
+}
 }  // namespace
 
 std::string toXml(const TopologicalMap& map)
@@ -196,8 +203,13 @@ std::string toXml(const TopologicalMap& map)
     for (const auto& [id, place] : map.places()) addPlace(places, place);
     const pugi::xml_node connections = root.append_child("connections");
     for (const Connection& connection : map.connections()) addConnection(connections, connection);
-    StringWriter writer;
-    document.save(writer, "  ", pugi::format_indent, pugi::encoding_utf8);
-    return writer.text;
+    return textOf(document);
+}
+
+std::string toXml(const Place& place)
+{
+    pugi::xml_document document;
+    addPlace(document, place);
+    return textOf(document);
 }
 }  // namespace gr2to

@@ -7,6 +7,7 @@
 
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/io/ScanOptions.h"
 
 namespace gr2to
 {
@@ -22,12 +23,14 @@ namespace gr2to
  */
 struct TGridReaderOptions : OptionTable
 {
-    /** Side of a cell [m]. A bare image does not state it, so that it must be given there. */
+    /** Side of a cell [m]. A bare image does not state it, so that it must be given there; of a simplemap's
+     * grid it is a choice, 0.05 when it is not given. */
     std::optional<double> resolution;
     /** Default 0.65. */
     std::optional<double> occupied_threshold;
     /** Default 0.196 for images, ROS's value, just below the 50/255 = 0.19608 of the grey 205 that map savers
-     * write for unknown cells; 0.35 for MRPT grids, which mirrors 0.65. */
+     * write for unknown cells; 0.35 for MRPT grids, which mirrors 0.65; 0.4 for simplemaps, where one ray
+     * through a cell leaves 0.37. */
     std::optional<double> free_threshold;
     /** `auto`, `yes` (white is occupied: p = grey) or `no` (black is occupied: p = 1 - grey), the default. */
     std::string negate = "auto";
@@ -39,12 +42,22 @@ struct TGridReaderOptions : OptionTable
      * Map savers write 205; without this rule a file that says `free_thresh: 0.25` (ROS 2's saver) loads as
      * free. */
     int unknown_grey = 205;
+    /** A table of its own: how a simplemap's observations are inserted. */
+    TScanOptions scans;
 
     std::string section() const override { return "input"; }
     std::vector<OptionField> fields() override;
 
  protected:
     void checkRules() const override;
+};
+
+/** What a simplemap held. */
+struct ScanCounts
+{
+    std::size_t keyframes = 0;
+    std::size_t observations = 0;
+    std::size_t inserted = 0;  //!< observations that the grid could take
 };
 
 /** How a grid was read, for people. */
@@ -54,6 +67,7 @@ struct GridSource
     std::filesystem::path image;  //!< the image that a YAML names; empty for other formats
     double occupied_threshold = 0.0;
     double free_threshold = 0.0;
+    std::optional<ScanCounts> scans;  //!< of a simplemap
 };
 
 /** Reads a 2D map; the format is told by the content, not by the name.
@@ -67,15 +81,22 @@ struct GridSource
  * when the option is given.
  * - MRPT archive of a COccupancyGridMap2D, compressed by gzip (`.gridmap.gz`, `.gridmap`) or not; log-odds 0
  * is unknown.
+ * - MRPT archive of a CSimpleMap (`.simplemap`, `.simplemap.gz`): the grid that MRPT's own insertion makes of
+ * the observations at the means of their poses; see TScanOptions.
  *
  * \param source  when given, receives how the file was read
  * \throws InputError  the file cannot be read, is truncated or malformed, is of an unknown or unsupported
- * kind (3D maps, simplemaps, rawlogs), claims a size that it cannot hold, or lacks a resolution; one line
+ * kind (3D maps, rawlogs), claims a size that it cannot hold, or lacks a resolution; one line
  * that names the file \throws std::invalid_argument  an option is out of range Cost: linear; peak memory of a
  * plain image is the file and one byte a cell, of an MRPT grid three bytes a cell.
  */
 ClassifiedGrid readGrid(const std::filesystem::path& path, const TGridReaderOptions& options,
                         GridSource* source = nullptr);
+
+/** Whether the file begins as an MRPT rawlog does, which `gr2to-rawlog` makes a simplemap of.
+ * \throws InputError  the file cannot be read
+ */
+bool isRawlog(const std::filesystem::path& path);
 
 /** Refuses a grid from which no topology can be made: one cell wide, or without a free or an occupied cell.
  * \param name  names the grid in the message, usually the file

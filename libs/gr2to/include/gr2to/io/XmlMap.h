@@ -17,6 +17,9 @@ namespace gr2to
  */
 std::string toXml(const TopologicalMap& map);
 
+/** One place as its `<place>` element in toXml() of its map. \throws std::invalid_argument  as there */
+std::string toXml(const Place& place);
+
 /** The map that XML of version 1.0 holds: fromXml(toXml(map), name) == map.
  *
  * Nothing is skipped but comments, processing instructions and white space between elements. Whether the
