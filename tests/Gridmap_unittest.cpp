@@ -2,7 +2,7 @@
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CArchive.h>
 
 #include <cmath>
@@ -181,10 +181,10 @@ TEST(Gridmap, damagedArchivesAreReadOrRefusedButNeverMore)
 TEST(Gridmap, otherArchivesAreNamedAndRefused)
 {
     const TempFolder folder;
-    const mrpt::maps::CSimpleMap simplemap;
-    for (const auto& archive : {archiveOf(simplemap), gzipArchiveOf(folder, simplemap)})
+    const mrpt::obs::CSensoryFrame frame;
+    for (const auto& archive : {archiveOf(frame), gzipArchiveOf(folder, frame)})
         EXPECT_THAT(readErrorOf(folder.write("a.gridmap", archive), {}),
-                    AllOf(HasSubstr("a simplemap"), HasSubstr("not supported by this version")));
+                    AllOf(HasSubstr("a rawlog"), HasSubstr("gr2to-rawlog")));
     const auto pose = archiveOf(mrpt::poses::CPose3D());
     EXPECT_THAT(readErrorOf(folder.write("b.gridmap", pose), {}), HasSubstr("CPose3D"));
     EXPECT_THAT(readErrorOf(folder.write("c.gridmap", "\x1f\x8b no gzip"), {}), HasSubstr("gzip"));
@@ -217,11 +217,10 @@ TEST(Gridmap, theCampusOfMrptIsRead)
     expectRealMap("2006-MalagaCampus.gridmap.gz", 1888, 2738, 0.08, -10.0);
 }
 
-TEST(Gridmap, simplemapsAndRawlogsOfMrptAreRefused)
+TEST(Gridmap, rawlogsOfMrptAreNoMaps)
 {
     const std::filesystem::path folder = "/usr/share/mrpt/datasets";
     if (!std::filesystem::exists(folder / "localization_demo.rawlog"))
         GTEST_SKIP() << "mrpt-common is absent";
     EXPECT_THAT(readErrorOf(folder / "localization_demo.rawlog"), HasSubstr("rawlog"));
-    EXPECT_THAT(readErrorOf(folder / "localization_demo.simplemap.gz"), HasSubstr("simplemap"));
 }

@@ -93,6 +93,6 @@ void expectBadUsage(const CliRun& run, const std::vector<std::string>& words)
 
 std::vector<std::string> extractedFiles()
 {
-    return {"overlay.png", "overlay.svg", "places.png", "topomap.gr2to", "topomap.xml"};
+    return {"overlay.png", "overlay.svg", "places.png", "topomap.gr2to", "topomap.simplemap", "topomap.xml"};
 }
 }  // namespace gr2to::test

@@ -23,6 +23,7 @@ using mrpt::obs::CObservation2DRangeScan;
 
 constexpr const char* kLabel = "gr2to";
 constexpr std::size_t kFewestRays = 360;
+constexpr double kGraze_cells = 0.1;  // MRPT adds up angles in single precision: some 1e-4 rad in a scan
 
 /** Casts a scan on a grid around a point of the map frame. */
 class ScanCaster
@@ -74,7 +75,7 @@ class ScanCaster
         float longest = 0;
         for (std::size_t i = 0; i < count; ++i) {
             const RayEnd end = ray(i, count);
-            const bool echo = end.state == CellState::Occupied;
+            const bool echo = end.state == CellState::Occupied && end.leave - end.enter > kGraze_cells;
             const double length = echo ? (end.enter + end.leave) / 2 : end.enter;
             const auto range = static_cast<float>(length * m_grid.resolution_m());
             scan->setScanRange(i, range);

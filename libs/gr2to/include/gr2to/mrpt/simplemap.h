@@ -28,7 +28,8 @@ struct TSimplemapOptions : OptionTable
  * variance of a position that is known to a cell, resolution^2 / 12 in x and y. Its observations:
  * - a CObservation2DRangeScan all around, `gr2to`, cast on the grid: ray i of n points to -pi + 2 pi i / n,
  *   as an MRPT grid inserts it; its range ends in the middle of what it crosses of the first occupied cell. A
- *   ray that ends at an unknown cell, or at the grid's border, is invalid; its range is the free length.
+ *   ray that ends at an unknown cell or at the grid's border, or only grazes a corner of an occupied cell, is
+ *   invalid; its range is the free length.
  * - a CObservationComment with the place's XML element;
  * - a CObservationImage for each view, its image stored externally.
  *
