@@ -100,7 +100,7 @@ TEST(CTopologicalMap, mrptReadsTheArchiveIntoAnObject)
     mrpt::io::CFileGZInputStream stream(file.path.string());
     CTopologicalMap object;
     mrpt::serialization::archiveFrom(stream) >> object;
-    EXPECT_TRUE(object.map == map);
+    EXPECT_TRUE(object.map() == map);
 }
 
 TEST(CTopologicalMap, mrptMakesTheObjectFromItsRegistry)
@@ -113,7 +113,7 @@ TEST(CTopologicalMap, mrptMakesTheObjectFromItsRegistry)
     const auto object = mrpt::serialization::archiveFrom(stream).ReadObject<CTopologicalMap>();
     ASSERT_TRUE(object);
     EXPECT_STREQ(object->GetRuntimeClass()->className, "gr2to::CTopologicalMap");
-    EXPECT_TRUE(object->map == map);
+    EXPECT_TRUE(object->map() == map);
 }
 
 TEST(CTopologicalMap, refusesOtherContents)
@@ -130,8 +130,8 @@ TEST(CTopologicalMap, refusesOtherContents)
     EXPECT_EQ(readingMessage(compressGz("hello")), "a.gr2to: is gz data, but not an MRPT archive");
     EXPECT_EQ(readingMessage(compressGz(header("mrpt::poses::CPose3D", 3) + "...")),
               "a.gr2to: holds an object of class 'mrpt::poses::CPose3D', not gr2to::CTopologicalMap");
-    EXPECT_EQ(readingMessage(compressGz(header(name, 1) + content.substr(name.size() + 2))),
-              "a.gr2to: the map is stored in version 1, this library reads up to version 0; read it with a "
+    EXPECT_EQ(readingMessage(compressGz(header(name, 2) + content.substr(name.size() + 2))),
+              "a.gr2to: the map is stored in version 2, this library reads up to version 1; read it with a "
               "newer gr2to");
     EXPECT_EQ(readingMessage(compressGz(content + content)),
               "a.gr2to: the archive is truncated or corrupt: the map does not end where the data do");
@@ -143,7 +143,7 @@ TEST(CTopologicalMap, mrptRefusesNewerVersionsToo)
 {
     registerAllClasses();
     std::string content = unpacked(someMap());
-    content[std::string("gr2to::CTopologicalMap").size() + 1] = 1;
+    content[std::string("gr2to::CTopologicalMap").size() + 1] = 2;
     mrpt::io::CMemoryStream stream(content.data(), content.size());
     CTopologicalMap object;
     auto archive = mrpt::serialization::archiveFrom(stream);

@@ -43,6 +43,20 @@ ObjectHeader readHeader(std::string_view bytes, const std::string& name)
     return {std::string(bytes.substr(1, length)), static_cast<std::uint8_t>(bytes[length + 1]), length + 2};
 }
 
+/** The map of an object that holds its grid; MRPT reads that. */
+TopologicalMap mapOfGrid(std::string_view content, const std::string& name)
+{
+    mrpt::io::CMemoryStream stream;
+    stream.assignMemoryNotOwn(content.data(), content.size());
+    CTopologicalMap object;
+    try {
+        mrpt::serialization::archiveFrom(stream) >> object;
+    } catch (const std::exception&) {
+        throw InputError(name + ": the archive is truncated or corrupt: its grid and map cannot be read");
+    }
+    return object.map();
+}
+
 bool isXml(std::string_view bytes)
 {
     const std::string_view text = bytes.substr(bytes.rfind("\xEF\xBB\xBF", 0) == 0 ? 3 : 0);
@@ -72,6 +86,7 @@ TopologicalMap fromArchive(std::string_view bytes, const std::string& name)
     if (header.className != wanted)
         throw InputError(name + ": holds an object of class " + excerpt(header.className) + ", not " +
                          wanted);
+    if (header.version == GRID_ARCHIVE_VERSION) return mapOfGrid(content, name);
     mrpt::io::CMemoryStream stream;
     stream.assignMemoryNotOwn(content.data() + header.size, content.size() - header.size);
     auto archive = mrpt::serialization::archiveFrom(stream);

@@ -204,7 +204,7 @@ TopologicalMap readMap(CArchive& in, std::uint8_t version, const std::string& na
     Reader reader(in, name);
     if (version > MAP_ARCHIVE_VERSION)
         reader.fail("the map is stored in version " + std::to_string(version) +
-                    ", this library reads up to version " + std::to_string(MAP_ARCHIVE_VERSION) +
+                    ", this library reads up to version " + std::to_string(GRID_ARCHIVE_VERSION) +
                     "; read it with a newer gr2to");
     TopologicalMap map;
     reader(map.frame);

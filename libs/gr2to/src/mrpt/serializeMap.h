@@ -11,6 +11,8 @@ namespace gr2to
 {
 /** Version of what writeMap() writes, from 0. */
 constexpr std::uint8_t MAP_ARCHIVE_VERSION = 0;
+/** Version of a CTopologicalMap with its grid. */
+constexpr std::uint8_t GRID_ARCHIVE_VERSION = 1;
 
 /** Every attribute of the map, in MRPT's byte order. */
 void writeMap(mrpt::serialization::CArchive& out, const TopologicalMap& map);
