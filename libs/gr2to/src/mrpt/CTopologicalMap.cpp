@@ -44,7 +44,7 @@ void CTopologicalMap::setOptions(const Gr2ToOptions& options)
 
 bool CTopologicalMap::isEmpty() const
 {
-    return m_ofObservations ? m_grid.isEmpty() : m_map.places().empty();
+    return m_ofObservations ? !m_inserted : m_map.places().empty();
 }
 
 std::string CTopologicalMap::asString() const
@@ -90,7 +90,7 @@ void CTopologicalMap::internal_clear()
 {
     m_grid.clear();
     m_map = TopologicalMap();
-    m_stale = false;
+    m_inserted = m_stale = false;
 }
 
 bool CTopologicalMap::internal_insertObservation(const mrpt::obs::CObservation& observation,
@@ -98,7 +98,7 @@ bool CTopologicalMap::internal_insertObservation(const mrpt::obs::CObservation& 
 {
     const auto scan = planarScanOf(observation);
     if (!m_grid.insertObservation(scan ? *scan : observation, robotPose)) return false;
-    m_ofObservations = m_stale = true;
+    m_ofObservations = m_inserted = m_stale = true;
     return true;
 }
 
@@ -111,6 +111,6 @@ double CTopologicalMap::internal_computeObservationLikelihood(const mrpt::obs::C
 bool CTopologicalMap::internal_canComputeObservationLikelihood(
     const mrpt::obs::CObservation& observation) const
 {
-    return !m_grid.isEmpty() && m_grid.canComputeObservationLikelihood(observation);
+    return m_inserted && m_grid.canComputeObservationLikelihood(observation);
 }
 }  // namespace gr2to

@@ -23,7 +23,7 @@ void CTopologicalMap::serializeTo(mrpt::serialization::CArchive& out) const
     for (OptionTable* table : options.tables())
         for (const OptionField& field : table->fields())
             values.insert(values.end(), {table->section() + "." + field.name, field.valueText()});
-    out << values << m_stale;
+    out << values << m_inserted << m_stale;
     if (!m_stale) writeMap(out, m_map);
 }
 
@@ -38,7 +38,7 @@ void CTopologicalMap::serializeFrom(mrpt::serialization::CArchive& in, std::uint
     in >> genericMapParams;
     in >> m_grid >> m_thresholds.occupied >> m_thresholds.free;
     std::vector<std::string> values;
-    in >> values >> m_stale;
+    in >> values >> m_inserted >> m_stale;
     for (std::size_t i = 0; i + 1 < values.size(); i += 2) m_options.set(values[i], values[i + 1]);
     if (!m_stale) m_map = readMap(in, MAP_ARCHIVE_VERSION, in.getArchiveDescription());
 }

@@ -83,6 +83,7 @@ class CTopologicalMap : public mrpt::maps::CMetricMap
     bool internal_canComputeObservationLikelihood(const mrpt::obs::CObservation& observation) const override;
 
     bool m_ofObservations = false;  //!< the grid is the content, the map follows from it
+    bool m_inserted = false;        //!< the grid has observations; MRPT's archive of a grid does not tell
     mrpt::maps::COccupancyGridMap2D m_grid;
     OccupancyThresholds m_thresholds{0.65, 0.4};
     Gr2ToOptions m_options;
