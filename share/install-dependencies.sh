@@ -3,7 +3,8 @@
 #
 #   bash share/install-dependencies.sh [GROUP...]
 #
-# Groups: build, demo, test, bench, lint; all of them when none is given.
+# Groups: build, rawlog, demo, test, bench, lint; all of them when none is given. Group rawlog is for the program
+# gr2to-rawlog alone: MRPT's SLAM library brings OpenCV's windows and Qt along.
 # This file is the only place that lists packages.
 set -euo pipefail
 
@@ -11,12 +12,13 @@ packages_of() {
     case $1 in
     build) echo g++ cmake ninja-build pkg-config libmrpt-maps-dev libmrpt-graphs-dev libeigen3-dev libpugixml-dev \
         libcli11-dev libpng-dev zlib1g-dev libcairo2-dev libyaml-cpp-dev nlohmann-json3-dev ;;
+    rawlog) echo libmrpt-slam-dev ;;
     demo) echo mrpt-common ;;
-    test) echo libgtest-dev libgmock-dev libxml2-utils python3 python3-numpy python3-scipy python3-skimage python3-pil man-db ;;
+    test) echo libgtest-dev libgmock-dev libxml2-utils python3 python3-numpy python3-scipy python3-skimage python3-pil man-db mrpt-apps ;;
     bench) echo libbenchmark-dev libopencv-imgproc-dev ;;
     lint) echo clang-format clang-tidy git ccache ;;
     *)
-        echo "install-dependencies.sh: unknown group '$1': choose from build, demo, test, bench, lint" >&2
+        echo "install-dependencies.sh: unknown group '$1': choose from build, rawlog, demo, test, bench, lint" >&2
         exit 2
         ;;
     esac
@@ -30,7 +32,7 @@ if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
     echo "install-dependencies.sh: needs Debian's apt-get and dpkg-query; elsewhere install the packages listed in it by hand" >&2
     exit 1
 fi
-[ $# -gt 0 ] || set -- build demo test bench lint
+[ $# -gt 0 ] || set -- build rawlog demo test bench lint
 
 missing=()
 for group in "$@"; do

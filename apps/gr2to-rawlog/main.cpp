@@ -87,12 +87,14 @@ int run(Arguments& arguments)
             bar.show(reader.progress());
         }
     }
-    if (!reader.warning().empty()) std::cerr << "gr2to-rawlog: warning: " << reader.warning() << '\n';
     const auto map = mapper.map();
+    const std::string& warning = reader.warning();
     if (mapper.scans() == 0 || map.empty())
-        throw InputError("'" + input.string() + "' has no observation that can be mapped among its " +
+        throw InputError((warning.empty() ? "'" + input.string() + "'" : warning + ", but it") +
+                         " has no observation that can be mapped among its " +
                          std::to_string(reader.entries()) + " entries; it holds these observations: " +
                          listOf(mapper.ignored()) + "; laser scans or range images are needed");
+    if (!warning.empty()) std::cerr << "gr2to-rawlog: warning: " << warning << '\n';
     writeFile(staged, encodeSimplemap(map));
     files.commit();
     if (!arguments.quiet)

@@ -42,7 +42,8 @@ void Progress::watch()
     if (m_changed.wait_for(lock, PATIENCE, [this] { return m_done; })) return;
     while (!m_done) {
         const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - m_start;
-        std::fprintf(stderr, "\r\033[Kgr2to: %s ... %.0f s", m_step.c_str(), passed.count());
+        if (!m_step.empty())
+            std::fprintf(stderr, "\r\033[Kgr2to: %s ... %.0f s", m_step.c_str(), passed.count());
         std::fflush(stderr);
         m_changed.wait_for(lock, PERIOD, [this] { return m_done; });
     }

@@ -21,6 +21,7 @@ class Progress
     Progress& operator=(const Progress&) = delete;
     ~Progress();
 
+    /** \param what  empty while another program tells its own progress */
     void step(const std::string& what);
 
  private:

@@ -5,6 +5,7 @@
 
 #include "Command.h"
 #include "ExtractReport.h"
+#include "MappedRawlog.h"
 #include "Progress.h"
 #include "TableOptions.h"
 #include "gr2to/base/errors.h"
@@ -118,7 +119,7 @@ class Extract : public Command
                "its "
                "content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), or an MRPT .gridmap "
                "or "
-               ".simplemap, each also as .gz.\n\n"
+               ".simplemap, each also as .gz, or an MRPT rawlog, which the program gr2to-rawlog maps first.\n\n"
                "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), "
                "topomap.simplemap (a keyframe with a scan for each place, for MRPT's tools), places.png "
                "(16 bits "
@@ -135,11 +136,13 @@ class Extract : public Command
 
  private:
     ClassifiedGrid read(const Output& output, Progress& progress);
+    ClassifiedGrid readInput(GridSource& source, Progress& progress);
     Extraction extract(const ClassifiedGrid& grid, Progress& progress);
     void write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress);
 
     std::string m_input;
     std::string m_folder;
+    std::string m_rawlogConfig;
     std::string m_preset = Gr2ToOptions::presets().front();
     bool m_json = false;
     bool m_quiet = false;
@@ -164,6 +167,8 @@ void Extract::declare(CLI::App& app)
         app, "--preset", m_preset, names,
         "Values of the options that are not given; paper follows the Gr2To paper to the letter. (default: " +
             m_preset + ")");
+    addOption(app, "--rawlog-config", m_rawlogConfig, "FILE",
+              "How gr2to-rawlog maps a rawlog: an ini file as MRPT's icp-slam reads it.");
     app.add_flag("--json", m_json, "Print a summary as JSON instead of the table.");
     app.add_flag("-q,--quiet", m_quiet, "Print neither table nor progress.");
     std::vector<OptionTable*> tables = m_stages.tables();
@@ -205,12 +210,27 @@ ClassifiedGrid Extract::read(const Output& output, Progress& progress)
     m_report.noteProgramMemory();
     m_watch.lap();
     GridSource source;
-    ClassifiedGrid grid = readGrid(m_input, m_reader, &source);
+    ClassifiedGrid grid = readInput(source, progress);
     requireUsable(grid, m_input);
     output.spare(m_input);
     output.spare(source.image);
     m_report.format = source.format;
     m_report.stages.push_back({"reading", {{"cells", grid.size()}}, m_watch.lap(), grid.size()});
+    return grid;
+}
+
+ClassifiedGrid Extract::readInput(GridSource& source, Progress& progress)
+{
+    if (!isRawlog(m_input)) {
+        if (!m_rawlogConfig.empty())
+            throw InputError("'" + m_input + "' is no rawlog, to which --rawlog-config would apply; remove it");
+        return readGrid(m_input, m_reader, &source);
+    }
+    progress.step("");
+    const MappedRawlog mapped(m_input, {m_rawlogConfig, m_reader.scans.plugins, m_quiet});
+    progress.step("reading " + baseName(m_input).string());
+    ClassifiedGrid grid = readGrid(mapped.simplemap(), m_reader, &source);
+    source.format = "MRPT rawlog, mapped by ICP";
     return grid;
 }
 

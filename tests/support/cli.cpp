@@ -27,10 +27,16 @@ std::string textOf(const fs::path& file)
 
 CliRun runCli(const fs::path& folder, const std::vector<std::string>& arguments, const std::string& before)
 {
+    return runProgram(GR2TO_CLI, folder, arguments, before);
+}
+
+CliRun runProgram(const std::string& program, const fs::path& folder, const std::vector<std::string>& arguments,
+                  const std::string& before)
+{
     const TempFolder logs;
     std::string command = "cd " + quoted(folder.string()) + " && ";
     if (!before.empty()) command += before + " && ";
-    command += quoted(GR2TO_CLI);
+    command += quoted(program);
     for (const auto& argument : arguments) command += " " + quoted(argument);
     const auto out = logs.path() / "out", err = logs.path() / "err";
     command = "( " + command + " ) </dev/null >" + quoted(out.string()) + " 2>" + quoted(err.string());

@@ -23,6 +23,10 @@ struct CliRun
 CliRun runCli(const std::filesystem::path& folder, const std::vector<std::string>& arguments,
               const std::string& before = "");
 
+/** The same for any program. \param program  path, or name on the PATH */
+CliRun runProgram(const std::string& program, const std::filesystem::path& folder,
+                  const std::vector<std::string>& arguments, const std::string& before = "");
+
 /** Text as one word of a shell. */
 std::string quoted(const std::string& text);
 
