@@ -26,7 +26,8 @@ class CliRawlog : public testing::Test
     void SetUp() override
     {
 #ifndef GR2TO_RAWLOG
-        GTEST_SKIP() << "gr2to-rawlog is not built: MRPT's SLAM library (package libmrpt-slam-dev) is missing";
+        GTEST_SKIP()
+            << "gr2to-rawlog is not built: MRPT's SLAM library (package libmrpt-slam-dev) is missing";
 #endif
     }
     CliRun rawlog(const std::vector<std::string>& arguments) const
@@ -37,7 +38,10 @@ class CliRawlog : public testing::Test
         return runProgram("false", m_folder.path(), arguments);
 #endif
     }
-    CliRun gr2to(const std::vector<std::string>& arguments) const { return runCli(m_folder.path(), arguments); }
+    CliRun gr2to(const std::vector<std::string>& arguments) const
+    {
+        return runCli(m_folder.path(), arguments);
+    }
     /** Expects exit code 2, one line with the words, and no new file. */
     void expectRefused(const std::string& bytes, const std::vector<std::string>& words) const
     {
@@ -102,7 +106,8 @@ TEST_F(CliRawlog, missingTimestampsAreFilledIn)
 TEST_F(CliRawlog, configurationIsReadAndReachesTheMapping)
 {
     m_folder.write("walk.rawlog", walkThroughRooms(STEPS));
-    m_folder.write("far.ini", "[MappingApplication]\ninsertionLinDistance = 100\ninsertionAngDistance = 360\n");
+    m_folder.write("far.ini",
+                   "[MappingApplication]\ninsertionLinDistance = 100\ninsertionAngDistance = 360\n");
     EXPECT_THAT(rawlog({"walk.rawlog", "-c", "far.ini"}).out, HasSubstr(" 1 keyframes"));
     EXPECT_THAT(rawlog({"walk.rawlog", "-c", GR2TO_SOURCE_DIR "/share/rawlog.ini", "-o", "a.simplemap"}).out,
                 Not(HasSubstr(" 1 keyframes")));
@@ -121,7 +126,8 @@ TEST_F(CliRawlog, rawlogThatEndsWithinAnEntryIsUsedWithAWarning)
     m_folder.write("cut.rawlog", bytes.substr(0, bytes.size() - 1000));
     const CliRun run = gr2to({"extract", "cut.rawlog", "-o", "out"});
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_THAT(run.err, testing::StartsWith("gr2to: warning: 'cut.rawlog' ends within entry 40; the 39 entries"));
+    EXPECT_THAT(run.err,
+                testing::StartsWith("gr2to: warning: 'cut.rawlog' ends within entry 40; the 39 entries"));
     expectTwoRooms("out");
 }
 
@@ -144,7 +150,8 @@ TEST_F(CliRawlog, foreignClassIsRefusedByName)
 
 TEST_F(CliRawlog, otherBadInputIsRefused)
 {
-    expectRefused(walkThroughRooms(1).substr(0, 100), {"'bad.rawlog' ends within entry 1", "no observation that can be mapped"});
+    expectRefused(walkThroughRooms(1).substr(0, 100),
+                  {"'bad.rawlog' ends within entry 1", "no observation that can be mapped"});
     EXPECT_EQ(rawlog({"absent.rawlog"}).code, 2);
     EXPECT_EQ(rawlog({}).code, 2);
     m_folder.write("text.rawlog", "hello");
@@ -161,7 +168,8 @@ TEST_F(CliRawlog, rawlogsOfMrptCommonAreExtracted)
     const fs::path datasets = "/usr/share/mrpt/datasets";
     if (!fs::exists(datasets / "localization_demo.rawlog")) GTEST_SKIP() << "mrpt-common is not installed";
     for (const char* name : {"localization_demo", "uwb_ro-localization_demo", "tests_rgbd",
-                             "2006-01ENE-21-SENA_Telecom Faculty_one_loop_only"}) {
+                             "2006-01ENE-21-SENA_Telecom Faculty_one_loop_only"})
+    {
         const CliRun run = gr2to({"extract", (datasets / name).string() + ".rawlog", "-o", name});
         EXPECT_EQ(run.code, 0) << run.err;
         EXPECT_FALSE(readXml(m_folder.path() / name / "topomap.xml").places().empty()) << name;

@@ -130,8 +130,9 @@ TEST(MetricMap, optionsOfTheIniReachTheStages)
                   .filter.max_blob_area,
               0);
     EXPECT_ANY_THROW(mapFrom(more + "door.max_widht = 1.25\n"));
-    EXPECT_ANY_THROW(mapFrom("[Maps]\ntopologicalMap_count = 1\n"
-                             "[Maps_topologicalMap_00_creationOpts]\nresolution = 0\n"));
+    EXPECT_ANY_THROW(
+        mapFrom("[Maps]\ntopologicalMap_count = 1\n"
+                "[Maps_topologicalMap_00_creationOpts]\nresolution = 0\n"));
     std::ostringstream dump;
     mrpt::maps::TSetOfMetricMapInitializers wanted;
     wanted.loadFromConfigFile(mrpt::config::CConfigFileMemory(INI), "Maps");
@@ -141,8 +142,8 @@ TEST(MetricMap, optionsOfTheIniReachTheStages)
 
 TEST(MetricMap, archiveKeepsGridMapAndOptions)
 {
-    const auto map = mapFrom(std::string(INI) +
-                             "[Maps_topologicalMap_00_extractOpts]\ndoor.max_width = 1.25\n");
+    const auto map =
+        mapFrom(std::string(INI) + "[Maps_topologicalMap_00_extractOpts]\ndoor.max_width = 1.25\n");
     map->loadFromSimpleMap(keyframesOfRooms());
     for (const bool extracted : {false, true}) {
         if (extracted) map->map();

@@ -62,9 +62,8 @@ TEST(RawlogReader, everyPrefixIsReadUpToItsLastWholeEntry)
         const std::size_t entries = entriesOf(reader);
         EXPECT_GE(entries, before);
         EXPECT_LT(entries, 6u);
-        EXPECT_THAT(reader.warning(),
-                    AllOf(HasSubstr("ends within entry " + std::to_string(entries + 1)),
-                          HasSubstr("the " + std::to_string(entries) + " entries before")))
+        EXPECT_THAT(reader.warning(), AllOf(HasSubstr("ends within entry " + std::to_string(entries + 1)),
+                                            HasSubstr("the " + std::to_string(entries) + " entries before")))
             << "prefix of " << size << " bytes";
         before = entries;
     }
@@ -85,7 +84,8 @@ TEST(RawlogReader, foreignClassIsNamed)
 {
     const TempFolder folder;
     std::string bytes = walkThroughRooms(2);
-    const std::string known = "mrpt::obs::CObservation2DRangeScan", foreign = "acme::obs::CObservationThermometer";
+    const std::string known = "mrpt::obs::CObservation2DRangeScan",
+                      foreign = "acme::obs::CObservationThermometer";
     ASSERT_EQ(known.size(), foreign.size());
     bytes.replace(bytes.rfind(known), known.size(), foreign);
     RawlogReader reader(folder.write("a.rawlog", bytes));

@@ -118,7 +118,8 @@ TEST(SimplemapOutput, rebuildsAnOfficeCellByCell)
               << " unseen\n";
     EXPECT_LT(static_cast<double>(found.wrongWall), 0.001 * static_cast<double>(found.occupied));
     EXPECT_LT(static_cast<double>(found.wrongFree), 0.002 * static_cast<double>(found.free));
-    EXPECT_GT(static_cast<double>(found.free), 0.95 * static_cast<double>(extraction.grid.count(CellState::Free)));
+    EXPECT_GT(static_cast<double>(found.free),
+              0.95 * static_cast<double>(extraction.grid.count(CellState::Free)));
 }
 
 TEST(SimplemapOutput, observations2mapRebuildsTheSame)

@@ -1,5 +1,4 @@
 #include <gmock/gmock.h>
-#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
@@ -7,7 +6,6 @@
 #include <mrpt/obs/CObservationComment.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
-#include <mrpt/serialization/CArchive.h>
 
 #include "../libs/gr2to/src/mrpt/gz.h"
 #include "gr2to/base/errors.h"
@@ -18,6 +16,7 @@
 #include "gr2to/pipeline/Gr2To.h"
 #include "support/cli.h"
 #include "support/inputFiles.h"
+#include "support/rawlogs.h"
 
 using namespace gr2to;
 using namespace gr2to::test;
@@ -29,11 +28,9 @@ namespace
 {
 using mrpt::obs::CSensoryFrame;
 
-std::string archiveOf(const mrpt::serialization::CSerializable& object)
+std::string archiveOf(const CSimpleMap& map)
 {
-    mrpt::io::CMemoryStream stream;
-    mrpt::serialization::archiveFrom(stream) << object;
-    return {static_cast<const char*>(stream.getRawBufferData()), stream.getTotalBytesCount()};
+    return test::archiveOf({&map});
 }
 
 mrpt::obs::CObservation2DRangeScan::Ptr scanAround(double pitch_rad = 0)
@@ -156,7 +153,8 @@ TEST_F(Simplemap, optionsReachTheInsertion)
     EXPECT_EQ(near.count(CellState::Occupied), 0u) << "the walls are 2 m away";
     EXPECT_LT(near.count(CellState::Free), read(bytes).count(CellState::Free) / 2);
     const std::string tilted = archiveOf(keyframesWith({scanAround(0.1)}));
-    EXPECT_THAT(errorOf(tilted), AllOf(HasSubstr("1 mrpt::obs::CObservation2DRangeScan"), HasSubstr("max_tilt")));
+    EXPECT_THAT(errorOf(tilted),
+                AllOf(HasSubstr("1 mrpt::obs::CObservation2DRangeScan"), HasSubstr("max_tilt")));
     options = {};
     options.scans.max_tilt = 10;
     EXPECT_GT(read(tilted, options).count(CellState::Occupied), 0u);
@@ -209,8 +207,9 @@ TEST_F(Simplemap, foreignClassIsNamedWithTheLibraryThatMayHoldIt)
     EXPECT_THAT(errorOf(replaced(bytes, "mrpt::obs::CObservationComment", "acme::obs::CObservationThermos")),
                 AllOf(HasSubstr("'acme::obs::CObservationThermos'"), HasSubstr("not registered"),
                       HasSubstr("libacme.so"), HasSubstr("--scans-plugins")));
-    EXPECT_THAT(errorOf(replaced(bytes, "mrpt::poses::CPose3DPDFGaussian", "mrpt::poses::CPose3DPDFNewestXY")),
-                AllOf(HasSubstr("'mrpt::poses::CPose3DPDFNewestXY'"), HasSubstr("newer MRPT")));
+    EXPECT_THAT(
+        errorOf(replaced(bytes, "mrpt::poses::CPose3DPDFGaussian", "mrpt::poses::CPose3DPDFNewestXY")),
+        AllOf(HasSubstr("'mrpt::poses::CPose3DPDFNewestXY'"), HasSubstr("newer MRPT")));
 }
 
 TEST_F(Simplemap, pluginsThatCannotBeLoadedAreNamed)

@@ -20,7 +20,7 @@ give_up() {
     exit 1
 }
 
-bash share/install-dependencies.sh build demo test || give_up "packages are missing"
+bash share/install-dependencies.sh build rawlog demo test || give_up "packages are missing"
 launcher=()
 command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
 cmake --preset "$preset" "${launcher[@]}" "$@" || give_up "CMake failed"

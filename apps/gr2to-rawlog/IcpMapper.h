@@ -19,9 +19,9 @@ namespace gr2to::rawlog
 class IcpMapper
 {
  public:
-    /** \param config  sections [ICP] and [MappingApplication], as MRPT's icp-slam reads them; MRPT's and these
-     * defaults stand in for what is missing
-     * \throws std::exception  as MRPT reports a configuration that it cannot use
+    /** \param config  sections [ICP] and [MappingApplication], as MRPT's icp-slam reads them; MRPT's and
+     * these defaults stand in for what is missing \throws std::exception  as MRPT reports a configuration
+     * that it cannot use
      */
     explicit IcpMapper(const mrpt::config::CConfigFileBase& config);
 

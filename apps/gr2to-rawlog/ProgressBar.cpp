@@ -16,7 +16,8 @@ void ProgressBar::show(double done)
 {
     constexpr int WIDTH = 40, WHOLE = 100;
     const auto percent = static_cast<int>(std::lround(WHOLE * done));
-    if (!m_wanted || percent == m_shown || std::chrono::steady_clock::now() - m_start < std::chrono::seconds(1))
+    if (!m_wanted || percent == m_shown ||
+        std::chrono::steady_clock::now() - m_start < std::chrono::seconds(1))
         return;
     m_shown = percent;
     const auto full = static_cast<std::size_t>(percent * WIDTH / WHOLE);

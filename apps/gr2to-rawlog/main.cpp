@@ -71,7 +71,8 @@ int run(Arguments& arguments)
     scans.plugins = arguments.plugins;
     scans.loadPlugins();
     const fs::path input = arguments.input;
-    if (arguments.output.empty()) arguments.output = input.filename().replace_extension(".simplemap").string();
+    if (arguments.output.empty())
+        arguments.output = input.filename().replace_extension(".simplemap").string();
     if (std::error_code ignored; fs::equivalent(input, arguments.output, ignored))
         throw InputError("the output '" + arguments.output + "' would replace the input; choose another");
     const std::string ini = arguments.config.empty() ? "" : readFile(arguments.config);
@@ -115,9 +116,10 @@ int complain(int code, std::string message)
 
 int main(int argc, char** argv)
 {
-    CLI::App app("Makes a simplemap of an MRPT rawlog: the robot's path and map by ICP on laser scans and "
-                 "odometry. 'gr2to extract' reads it, and calls this program for a rawlog by itself.",
-                 "gr2to-rawlog");
+    CLI::App app(
+        "Makes a simplemap of an MRPT rawlog: the robot's path and map by ICP on laser scans and "
+        "odometry. 'gr2to extract' reads it, and calls this program for a rawlog by itself.",
+        "gr2to-rawlog");
     Arguments arguments;
     declare(app, arguments);
     try {

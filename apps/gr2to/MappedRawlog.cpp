@@ -90,7 +90,8 @@ class Child
     int wait() const
     {
         int status = 0;
-        while (waitpid(m_id, &status, 0) < 0 && errno == EINTR) {}
+        while (waitpid(m_id, &status, 0) < 0 && errno == EINTR) {
+        }
         if (WIFEXITED(status)) return WEXITSTATUS(status);
         throw std::runtime_error(std::string(kProgram) + " was ended by signal " +
                                  std::to_string(WTERMSIG(status)));
@@ -115,8 +116,7 @@ class Child
 
 MappedRawlog::MappedRawlog(const fs::path& rawlog, const Options& options) : m_folder(makeFolder())
 {
-    std::vector<std::string> arguments = {pathOfProgram(), rawlog.string(), "-o",
-                                          simplemap().string()};
+    std::vector<std::string> arguments = {pathOfProgram(), rawlog.string(), "-o", simplemap().string()};
     const auto add = [&](const char* option, const std::string& value) {
         if (!value.empty()) arguments.insert(arguments.end(), {option, value});
     };
@@ -130,7 +130,8 @@ MappedRawlog::MappedRawlog(const fs::path& rawlog, const Options& options) : m_f
         const int code = child.wait();
         if (code == BAD_INPUT) throw InputError(error);
         if (code != 0)
-            throw std::runtime_error(error.empty() ? std::string(kProgram) + " failed without a word" : error);
+            throw std::runtime_error(error.empty() ? std::string(kProgram) + " failed without a word"
+                                                   : error);
     } catch (...) {
         std::error_code ignored;
         fs::remove_all(m_folder, ignored);

@@ -74,8 +74,8 @@ class Output
     }
 
  private:
-    static constexpr const char* NAMES[] = {"topomap.xml", "topomap.gr2to", "places.png", "overlay.png",
-                                            "overlay.svg", "topomap.simplemap"};
+    static constexpr const char* NAMES[] = {"topomap.xml", "topomap.gr2to", "places.png",
+                                            "overlay.png", "overlay.svg",   "topomap.simplemap"};
     fs::path m_folder;
     OutputTransaction m_files;
     std::vector<fs::path> m_staged;
@@ -119,7 +119,8 @@ class Extract : public Command
                "its "
                "content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), or an MRPT .gridmap "
                "or "
-               ".simplemap, each also as .gz, or an MRPT rawlog, which the program gr2to-rawlog maps first.\n\n"
+               ".simplemap, each also as .gz, or an MRPT rawlog, which the program gr2to-rawlog maps "
+               "first.\n\n"
                "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), "
                "topomap.simplemap (a keyframe with a scan for each place, for MRPT's tools), places.png "
                "(16 bits "
@@ -223,7 +224,8 @@ ClassifiedGrid Extract::readInput(GridSource& source, Progress& progress)
 {
     if (!isRawlog(m_input)) {
         if (!m_rawlogConfig.empty())
-            throw InputError("'" + m_input + "' is no rawlog, to which --rawlog-config would apply; remove it");
+            throw InputError("'" + m_input +
+                             "' is no rawlog, to which --rawlog-config would apply; remove it");
         return readGrid(m_input, m_reader, &source);
     }
     progress.step("");

@@ -20,7 +20,8 @@ class Info : public Command
     std::string summary() const override { return "tell what a grid or a topological map holds"; }
     std::string description() const override
     {
-        return "Tells what FILE holds. Of a grid (ROS .yaml, PNG or PGM image, MRPT .gridmap or .simplemap): its format, "
+        return "Tells what FILE holds. Of a grid (ROS .yaml, PNG or PGM image, MRPT .gridmap or .simplemap): "
+               "its format, "
                "size, "
                "resolution, origin, extent, and how much of it is free, occupied and unknown. Of a "
                "topological map "

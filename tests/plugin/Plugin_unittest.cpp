@@ -42,7 +42,8 @@ class Plugin : public testing::Test
     std::string run(const std::string& command)
     {
         const std::string log = (m_folder / "log").string();
-        m_status = std::system(("cd '" + m_folder.string() + "' && " + command + " </dev/null >log 2>&1").c_str());
+        m_status =
+            std::system(("cd '" + m_folder.string() + "' && " + command + " </dev/null >log 2>&1").c_str());
         std::ifstream in(log, std::ios::binary);
         return {std::istreambuf_iterator<char>(in), {}};
     }
@@ -108,8 +109,8 @@ TEST_F(Plugin, rawlogEditReadsARawlogThatHoldsAMap)
         auto scan = mrpt::obs::CObservation2DRangeScan::Create();
         scan->timestamp = mrpt::Clock::fromDouble(1000);
         scan->sensorLabel = "laser";
-        const auto map = std::dynamic_pointer_cast<mrpt::serialization::CSerializable>(
-            mrpt::rtti::classFactory(CLASS));
+        const auto map =
+            std::dynamic_pointer_cast<mrpt::serialization::CSerializable>(mrpt::rtti::classFactory(CLASS));
         archive << *scan << *map << *scan << *scan;
     }
     const std::string with = run(std::string("rawlog-edit -p ") + GR2TO_LIBRARY + " --info -i maps.rawlog");

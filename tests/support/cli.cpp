@@ -30,8 +30,8 @@ CliRun runCli(const fs::path& folder, const std::vector<std::string>& arguments,
     return runProgram(GR2TO_CLI, folder, arguments, before);
 }
 
-CliRun runProgram(const std::string& program, const fs::path& folder, const std::vector<std::string>& arguments,
-                  const std::string& before)
+CliRun runProgram(const std::string& program, const fs::path& folder,
+                  const std::vector<std::string>& arguments, const std::string& before)
 {
     const TempFolder logs;
     std::string command = "cd " + quoted(folder.string()) + " && ";

@@ -166,8 +166,9 @@ ClassifiedGrid readArchive(const std::string& bytes, const std::string& name,
 std::vector<OptionField> TGridReaderOptions::fields()
 {
     return {
-        {"resolution", &resolution, "m", "Side of a cell; auto: what the file states, 0.05 for a simplemap. A bare image needs it.",
-         1e-4, 100},
+        {"resolution", &resolution, "m",
+         "Side of a cell; auto: what the file states, 0.05 for a simplemap. A bare image needs it.", 1e-4,
+         100},
         {"occupied_threshold", &occupied_threshold, "ratio",
          "A cell is occupied when its occupancy probability exceeds this; auto: what the YAML file states, "
          "else 0.65.",

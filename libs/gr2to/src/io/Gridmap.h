@@ -15,7 +15,7 @@ struct ArchiveHeader
     std::string fullName;   //!< as it is stored
     int version = 0;
     bool hasEndFlag = true;  //!< of the object; MRPT before 0.5.5 wrote none
-    std::size_t size = 0;  //!< bytes up to the object's data
+    std::size_t size = 0;    //!< bytes up to the object's data
 };
 
 /** The header, when the bytes start as an MRPT archive does. */

@@ -18,8 +18,8 @@ struct RawlogReader::State
     std::string name;
     std::string bytes;
     std::unique_ptr<io::ArchiveObjects> objects;
-    std::string trouble;                   //!< of the compressed data
-    mrpt::obs::CRawlog::Ptr whole;         //!< when the file holds one object with all entries
+    std::string trouble;            //!< of the compressed data
+    mrpt::obs::CRawlog::Ptr whole;  //!< when the file holds one object with all entries
     std::size_t nextOfWhole = 0;
 };
 

@@ -11,19 +11,19 @@ namespace gr2to
 {
 std::vector<OptionField> TScanOptions::fields()
 {
-    return {{"max_range", &max_range, "m", "Cells farther than this from the sensor are left as they are.",
-             0.1, 1000},
-            {"certainty", &certainty, "ratio", "Probability of being occupied that one hit gives a cell.",
-             0.51, 0.99},
-            {"max_tilt", &max_tilt, "deg",
-             "Scans whose sensor is pitched or rolled by more than this are not inserted.", 0, 45},
-            {"no_echo_is_free", &no_echo_is_free, "",
-             "Whether rays without an echo free the cells along half the range of the last echo before "
-             "them."},
-            {"wide_beams", &wide_beams, "",
-             "Whether a ray is a sector as wide as the angle to the next ray."},
-            {"plugins", &plugins, "",
-             "Libraries, parted by commas, to load for classes of observations that MRPT does not have."}};
+    return {
+        {"max_range", &max_range, "m", "Cells farther than this from the sensor are left as they are.", 0.1,
+         1000},
+        {"certainty", &certainty, "ratio", "Probability of being occupied that one hit gives a cell.", 0.51,
+         0.99},
+        {"max_tilt", &max_tilt, "deg",
+         "Scans whose sensor is pitched or rolled by more than this are not inserted.", 0, 45},
+        {"no_echo_is_free", &no_echo_is_free, "",
+         "Whether rays without an echo free the cells along half the range of the last echo before "
+         "them."},
+        {"wide_beams", &wide_beams, "", "Whether a ray is a sector as wide as the angle to the next ray."},
+        {"plugins", &plugins, "",
+         "Libraries, parted by commas, to load for classes of observations that MRPT does not have."}};
 }
 
 void TScanOptions::applyTo(mrpt::maps::COccupancyGridMap2D& grid) const

@@ -73,8 +73,8 @@ class GridBuilder
         }
         if (counts.inserted > 0) return;
         throw InputError(m_name + " has no observation that a grid can be built of; it holds " +
-                         std::to_string(map.size()) + " keyframes with these observations: " +
-                         listOf(m_classes) +
+                         std::to_string(map.size()) +
+                         " keyframes with these observations: " + listOf(m_classes) +
                          "; horizontal laser scans and range images are needed (see scans.max_tilt)");
     }
 
@@ -117,7 +117,8 @@ class GridBuilder
         if (grid.insertObservation(scan ? *scan : observation, pose)) ++counts.inserted;
     }
 
-    static constexpr double kFarthest = 1e8;  // cells; floats, which MRPT counts in, no longer tell them apart
+    static constexpr double kFarthest =
+        1e8;  // cells; floats, which MRPT counts in, no longer tell them apart
 
     std::string m_name;
     double m_resolution;
@@ -143,8 +144,8 @@ CSimpleMap readSimplemap(std::string_view bytes, const std::string& name)
         throw InputError(name + " holds no MRPT simplemap; check that it is the right file");
     if (header->version > kNewestVersion)
         throw InputError(name + " is a simplemap of version " + std::to_string(header->version) +
-                         ", of a newer MRPT; this one reads up to version " +
-                         std::to_string(kNewestVersion) + ": store it with MRPT 2.5");
+                         ", of a newer MRPT; this one reads up to version " + std::to_string(kNewestVersion) +
+                         ": store it with MRPT 2.5");
     ArchiveObjects objects(bytes, name);
     objects.skip(header->size);
     CSimpleMap map;

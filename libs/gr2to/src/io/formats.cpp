@@ -41,8 +41,8 @@ constexpr std::array<Named, 4> kUnsupportedNames{{{".bt", "a 3D OctoMap"},
                                                   {".rawlog", "a rawlog"},
                                                   {".pcd", "a 3D point cloud"}}};
 
-constexpr std::array<std::string_view, 10> kBinaryNames{
-    ".png", ".pgm", ".gridmap", ".simplemap", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff"};
+constexpr std::array<std::string_view, 10> kBinaryNames{".png",  ".pgm", ".gridmap", ".simplemap", ".jpg",
+                                                        ".jpeg", ".bmp", ".gif",     ".tif",       ".tiff"};
 
 /** The extension in lower case, without a `.gz` behind it. */
 std::string extensionOf(std::filesystem::path path)

@@ -12,7 +12,7 @@ enum class Format
     Pgm,
     Gridmap,    //!< MRPT archive, compressed or not
     Simplemap,  //!< the same
-    Yaml      //!< text that may be a map's YAML file
+    Yaml        //!< text that may be a map's YAML file
 };
 
 /** The format of a 2D map, told by its first bytes; the name only helps to word the refusal of others.

@@ -97,8 +97,8 @@ void addNode(mrpt::opengl::CSetOfObjects& objects, const Place& place)
     node->setColor_u8(colourOf(place.id));
     node->setLocation(above(place.center, kGraphHeight_m));
     objects.insert(node);
-    auto text = mrpt::opengl::CText::Create(
-        place.words.empty() ? std::to_string(place.id) : place.words.front());
+    auto text =
+        mrpt::opengl::CText::Create(place.words.empty() ? std::to_string(place.id) : place.words.front());
     text->setLocation(above(place.center, kGraphHeight_m + 2 * kNode_m));
     text->setColor_u8(TColor(0, 0, 0));
     objects.insert(text);

@@ -52,8 +52,8 @@ class ScanCaster
  private:
     RayEnd ray(std::size_t i, std::size_t count) const
     {
-        const double angle = -M_PI + 2 * M_PI * static_cast<double>(i) / static_cast<double>(count) -
-                             m_grid.frame().yaw_rad;
+        const double angle =
+            -M_PI + 2 * M_PI * static_cast<double>(i) / static_cast<double>(count) - m_grid.frame().yaw_rad;
         return castRay(m_grid, m_start, {std::cos(angle), std::sin(angle)});
     }
 
@@ -104,18 +104,18 @@ mrpt::obs::CObservationImage::Ptr imageOf(const View& view, const Place& place)
     auto image = mrpt::obs::CObservationImage::Create();
     image->image.setExternalStorage(view.image);
     const auto& at = view.position.mean;
-    image->cameraPose = mrpt::poses::CPose3D(at.x - place.center.x, at.y - place.center.y,
-                                             at.z - place.center.z, 0, 0, 0);
+    image->cameraPose =
+        mrpt::poses::CPose3D(at.x - place.center.x, at.y - place.center.y, at.z - place.center.z, 0, 0, 0);
     return image;
 }
 }  // namespace
 
 std::vector<OptionField> TSimplemapOptions::fields()
 {
-    return {{"rays_per_cell", &rays_per_cell, "",
-             "Rays of a keyframe's scan for each cell of the circle at its longest range.", 0.1, 20},
-            {"dense_range", &dense_range, "m", "The most range that the number of rays is chosen for.", 1,
-             1000}};
+    return {
+        {"rays_per_cell", &rays_per_cell, "",
+         "Rays of a keyframe's scan for each cell of the circle at its longest range.", 0.1, 20},
+        {"dense_range", &dense_range, "m", "The most range that the number of rays is chosen for.", 1, 1000}};
 }
 
 mrpt::maps::CSimpleMap toSimplemap(const TopologicalMap& map, const ClassifiedGrid& grid,
@@ -136,8 +136,7 @@ mrpt::maps::CSimpleMap toSimplemap(const TopologicalMap& map, const ClassifiedGr
         comment->text = toXml(place);
         add(comment, id);
         for (const View& view : place.views) add(imageOf(view, place), view.time_s > 0 ? view.time_s : id);
-        keyframes.insert(
-            mrpt::poses::CPose3DPDFGaussian::Create(poseOf(place, grid.resolution_m())), frame);
+        keyframes.insert(mrpt::poses::CPose3DPDFGaussian::Create(poseOf(place, grid.resolution_m())), frame);
     }
     return keyframes;
 }

@@ -25,7 +25,8 @@ namespace gr2to
  * - `[NAME_topologicalMap_00_creationOpts]`: `resolution` [m], `preset`, `occupied_threshold`,
  * `free_threshold`;
  * - `[NAME_topologicalMap_00_insertOpts]` and `..._likelihoodOpts]`: those of an occupancy grid;
- * - `[NAME_topologicalMap_00_extractOpts]`: options of the stages by their full names, `door.max_width = 1.2`.
+ * - `[NAME_topologicalMap_00_extractOpts]`: options of the stages by their full names, `door.max_width
+ * = 1.2`.
  *
  * What MRPT's metric maps can do and this one does by its grid: insertion (2D scans, sonars, range images),
  * likelihoods, determineMatching2D(). compute3DMatchingRatio() is 0, as for every grid.
