@@ -4,7 +4,8 @@
 #   bash doc/make_images.sh [BUILD_FOLDER [ROSE_FOLDER]]
 #
 # BUILD_FOLDER holds apps/gr2to/gr2to (default: build/release). ROSE_FOLDER holds the ROSE2 maps as NAME.clean.png (MIT
-# licence); without it the picture of a robot's map of an office floor stays as it is. Needs mrpt-common and python3-pil.
+# licence); without it the picture of a robot's map of an office floor stays as it is. Needs mrpt-common,
+# python3-pil and a build with gr2to-rawlog.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$(cd "${1:-$root/build/release}" && pwd)
@@ -73,6 +74,21 @@ robot=$(dpkg -L mrpt-common | grep '/uwb_ro-localization_demo_map\.gridmap\.gz$'
     overlay robot-default "$robot" $(layers grid places ids voronoi legend)
 }
 picture robot-presets 1000 "$scratch/robot-paper.png" "$scratch/robot-default.png"
+
+datasets=$(dirname "$robot")
+views=$(layers grid places ids doors scale_bar)
+# shellcheck disable=SC2086
+{
+    overlay lab "$datasets/localization_demo.simplemap.gz" $views
+    overlay hall "$datasets/malaga-cs-fac-building.simplemap.gz" $views
+    overlay loop "$datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog" $views
+    overlay uwb "$datasets/uwb_ro-localization_demo.rawlog" $views
+    overlay part "$datasets/localization_demo.rawlog" $views
+    overlay campus "$datasets/2006-MalagaCampus.gridmap.gz" $views
+}
+picture mrpt-simplemaps 1200 "$scratch/lab.png" "$scratch/hall.png"
+picture mrpt-rawlogs 1200 "$scratch/loop.png" "$scratch/uwb.png" "$scratch/part.png"
+picture mrpt-campus 700 "$scratch/campus.png"
 
 if [ -n "$rose" ]; then
     # shellcheck disable=SC2086

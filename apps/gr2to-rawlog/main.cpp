@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 #include <filesystem>
 #include <iostream>
@@ -11,6 +12,7 @@
 #include "ProgressBar.h"
 #include "gr2to/base/errors.h"
 #include "gr2to/base/files.h"
+#include "gr2to/base/interruption.h"
 #include "gr2to/io/RawlogReader.h"
 #include "gr2to/io/ScanOptions.h"
 #include "gr2to/mrpt/registerAllClasses.h"

@@ -114,7 +114,8 @@ class Child
 };
 }  // namespace
 
-MappedRawlog::MappedRawlog(const fs::path& rawlog, const Options& options) : m_folder(makeFolder())
+MappedRawlog::MappedRawlog(const fs::path& rawlog, const Options& options)
+    : m_folder(makeFolder()), m_folderWhenStopped(m_folder), m_fileWhenStopped(simplemap())
 {
     std::vector<std::string> arguments = {pathOfProgram(), rawlog.string(), "-o", simplemap().string()};
     const auto add = [&](const char* option, const std::string& value) {

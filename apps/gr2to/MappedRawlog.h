@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "gr2to/base/interruption.h"
+
 namespace gr2to::cli
 {
 /** A rawlog as the simplemap that the program `gr2to-rawlog` makes of it, in a folder that goes with this
@@ -33,5 +35,7 @@ class MappedRawlog
 
  private:
     std::filesystem::path m_folder;
+    UnfinishedOutput m_folderWhenStopped;
+    UnfinishedOutput m_fileWhenStopped;
 };
 }  // namespace gr2to::cli
