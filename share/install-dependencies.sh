@@ -14,7 +14,7 @@ packages_of() {
         libcli11-dev libpng-dev zlib1g-dev libcairo2-dev libyaml-cpp-dev nlohmann-json3-dev ;;
     rawlog) echo libmrpt-slam-dev ;;
     demo) echo mrpt-common ;;
-    test) echo libgtest-dev libgmock-dev libxml2-utils python3 python3-numpy python3-scipy python3-skimage python3-pil man-db mrpt-apps ;;
+    test) echo libgtest-dev libgmock-dev libxml2-utils libmrpt-nav-dev python3 python3-numpy python3-scipy python3-skimage python3-pil man-db mrpt-apps ;;
     bench) echo libbenchmark-dev libopencv-imgproc-dev ;;
     lint) echo clang-format clang-tidy git ccache ;;
     *)

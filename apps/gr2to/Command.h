@@ -42,6 +42,7 @@ std::unique_ptr<Command> makeExtract();
 std::unique_ptr<Command> makeInfo();
 std::unique_ptr<Command> makeValidate();
 std::unique_ptr<Command> makeCompare();
+std::unique_ptr<Command> makeRender();
 std::unique_ptr<Command> makeMan();
 std::unique_ptr<Command> makeOptions();
 

@@ -9,6 +9,7 @@ Commands allCommands()
     commands.push_back(makeInfo());
     commands.push_back(makeValidate());
     commands.push_back(makeCompare());
+    commands.push_back(makeRender());
     commands.push_back(makeMan());
     commands.push_back(makeOptions());
     return commands;

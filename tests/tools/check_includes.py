@@ -21,10 +21,10 @@ FOLDERS = {
     "refine": ({"topology", "grid", "base"}, {"Eigen", "ceres"}),
     "pipeline": ({"stages", "refine", "topology", "grid", "base"}, {"Eigen", "mrpt/maps", "mrpt/config"}),
     # The archive's reader takes XML files as well, so that callers need not know which of the two they hold.
-    "mrpt": ({"pipeline", "io", "topology", "grid", "base"}, {"Eigen", "mrpt", "zlib.h"}),
+    "mrpt": ({"pipeline", "io", "view", "topology", "grid", "base"}, {"Eigen", "mrpt", "zlib.h"}),
     "io": ({"topology", "grid", "base"},
            {"Eigen", "mrpt", "pugixml.hpp", "png.h", "zlib.h", "yaml-cpp", "nlohmann", "posix"}),
-    "view": ({"topology", "grid", "base"}, {"Eigen", "cairo.h", "cairo-svg.h", "mrpt/img", "mrpt/opengl"}),
+    "view": ({"topology", "grid", "base"}, {"Eigen", "cairo.h", "cairo-svg.h", "mrpt/img", "mrpt/opengl", "mrpt/math"}),
     "compare": ({"topology", "grid", "base"}, {"Eigen", "nlohmann"}),
 }
 POSIX = re.compile(r"(sys/.*|unistd|fcntl|dirent|poll|pthread)\.h$|sys/")

@@ -2,10 +2,12 @@
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
 #include "gr2to/base/errors.h"
+#include "gr2to/base/text.h"
 
 namespace gr2to
 {
@@ -52,5 +54,30 @@ ClassifiedGrid fromOccupancyGrid(const mrpt::maps::COccupancyGridMap2D& map,
         for (int x = 0; x < grid.width(); ++x) out[x] = table[static_cast<std::uint8_t>(in[x])];
     }
     return grid;
+}
+
+Map toOccupancyGrid(const ClassifiedGrid& grid)
+{
+    const GridFrame& frame = grid.frame();
+    if (frame.yaw_rad != 0)
+        throw InputError("the grid is turned by " + numberText(frame.yaw_rad) +
+                         " rad, which an MRPT grid cannot be; turn the grid itself");
+    const auto end = [&](double origin, int cells) {
+        return static_cast<float>(origin + cells * frame.resolution_m);
+    };
+    const auto x = static_cast<float>(frame.origin_x_m), y = static_cast<float>(frame.origin_y_m);
+    Map map(x, end(frame.origin_x_m, grid.width()), y, end(frame.origin_y_m, grid.height()),
+            static_cast<float>(frame.resolution_m));
+    const auto width = std::min(static_cast<unsigned>(grid.width()), map.getSizeX());
+    const auto height = std::min(static_cast<unsigned>(grid.height()), map.getSizeY());
+    for (unsigned row = 0; row < height; ++row)
+        for (unsigned column = 0; column < width; ++column) {
+            const CellState state = grid.at({static_cast<int>(column), static_cast<int>(row)});
+            map.setCell(static_cast<int>(column), static_cast<int>(row),
+                        state == CellState::Free       ? 1.0F
+                        : state == CellState::Occupied ? 0.0F
+                                                       : 0.5F);
+        }
+    return map;
 }
 }  // namespace gr2to

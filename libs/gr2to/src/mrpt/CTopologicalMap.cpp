@@ -2,12 +2,12 @@
 
 #include <mrpt/opengl/COpenGLScene.h>
 
-#include "drawMap.h"
 #include "gr2to/base/errors.h"
 #include "gr2to/base/files.h"
 #include "gr2to/io/PlanarScan.h"
 #include "gr2to/io/XmlMap.h"
 #include "gr2to/mrpt/archive.h"
+#include "gr2to/view/Scene3D.h"
 
 namespace gr2to
 {

@@ -25,4 +25,9 @@ struct OccupancyThresholds
  */
 ClassifiedGrid fromOccupancyGrid(const mrpt::maps::COccupancyGridMap2D& map,
                                  const OccupancyThresholds& thresholds = {});
+
+/** The classified cells as an MRPT grid: free and occupied as sure as its log-odds can say, unknown as even
+ * odds. \throws InputError  the grid's frame is turned, which MRPT's grids cannot be
+ */
+mrpt::maps::COccupancyGridMap2D toOccupancyGrid(const ClassifiedGrid& grid);
 }  // namespace gr2to
