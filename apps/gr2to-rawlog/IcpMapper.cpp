@@ -3,6 +3,8 @@
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationImage.h>
 #include <mrpt/obs/CObservationOdometry.h>
 
 #include <algorithm>
@@ -15,6 +17,7 @@ namespace gr2to::rawlog
 using mrpt::obs::CActionCollection;
 using mrpt::obs::CObservation;
 using mrpt::obs::CObservation2DRangeScan;
+using mrpt::obs::CObservationImage;
 using mrpt::obs::CObservationOdometry;
 using mrpt::obs::CSensoryFrame;
 
@@ -33,6 +36,20 @@ void setDefaults(mrpt::slam::CMetricMapBuilderICP& builder)
     builder.ICP_options.localizationAngDistance = mrpt::DEG2RAD(5.0);
     builder.ICP_options.insertionLinDistance = 0.5;
     builder.ICP_options.insertionAngDistance = mrpt::DEG2RAD(20.0);
+}
+
+/** The colour image of a range image; null when it has none. */
+CObservationImage::Ptr imageOf(const CObservation& observation)
+{
+    const auto& depth = dynamic_cast<const mrpt::obs::CObservation3DRangeScan&>(observation);
+    if (!depth.hasIntensityImage) return nullptr;
+    auto image = CObservationImage::Create();
+    image->image = depth.intensityImage;
+    image->cameraParams = depth.cameraParamsIntensity;
+    image->cameraPose = depth.sensorPose;
+    image->sensorLabel = depth.sensorLabel + "_image";
+    image->timestamp = depth.timestamp;
+    return image;
 }
 }  // namespace
 
@@ -59,7 +76,7 @@ void IcpMapper::process(const mrpt::serialization::CSerializable::Ptr& entry)
     else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(entry))
         processFrame(*frame);
     else if (const auto observation = std::dynamic_pointer_cast<CObservation>(entry))
-        if (const auto one = usable(observation)) {
+        for (const auto& one : usable(observation)) {
             if (one->timestamp == INVALID_TIMESTAMP ||
                 (IS_CLASS(*one, CObservationOdometry) && one->timestamp <= m_now))
                 one->timestamp = laterTime();
@@ -72,7 +89,7 @@ void IcpMapper::processFrame(const CSensoryFrame& frame)
 {
     CSensoryFrame used;
     for (const auto& observation : frame)
-        if (const auto one = usable(observation)) used.insert(one);
+        for (const auto& one : usable(observation)) used.insert(one);
     CActionCollection none;
     CActionCollection& action = m_action ? *m_action : none;
     stamp(used, action);
@@ -102,16 +119,18 @@ mrpt::system::TTimeStamp IcpMapper::laterTime() const
     return m_now + STEP;
 }
 
-CObservation::Ptr IcpMapper::usable(const CObservation::Ptr& observation)
+std::vector<CObservation::Ptr> IcpMapper::usable(const CObservation::Ptr& observation)
 {
-    CObservation::Ptr used = planarScanOf(*observation);
-    if (!used) used = observation;
-    if (IS_CLASS(*used, CObservation2DRangeScan))
-        ++m_scans;
-    else if (!IS_CLASS(*used, CObservationOdometry)) {
+    std::vector<CObservation::Ptr> used;
+    if (const auto scan = planarScanOf(*observation)) {
+        used.push_back(scan);
+        if (const auto image = imageOf(*observation)) used.push_back(image);
+    } else if (IS_CLASS(*observation, CObservation2DRangeScan) ||
+               IS_CLASS(*observation, CObservationOdometry) || IS_CLASS(*observation, CObservationImage))
+        used.push_back(observation);
+    else
         ++m_ignored[observation->GetRuntimeClass()->className];
-        return nullptr;
-    }
+    if (!used.empty() && IS_CLASS(*used.front(), CObservation2DRangeScan)) ++m_scans;
     return used;
 }
 

@@ -7,13 +7,15 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 namespace gr2to::rawlog
 {
 /** Makes a simplemap of a rawlog's entries, by MRPT's CMetricMapBuilderICP.
  *
  * Used are laser scans, range images (as the scans that planarScanOf() makes of them) and odometry, as
- * observations or as actions. What lacks a time gets that of its frame; a frame that lacks one, or is not
+ * observations or as actions; images go along into the
+ * keyframes. What lacks a time gets that of its frame; a frame that lacks one, or is not
  * a millisecond later than the one before, is taken to come 0.1 s after it.
  */
 class IcpMapper
@@ -34,8 +36,8 @@ class IcpMapper
 
  private:
     void processFrame(const mrpt::obs::CSensoryFrame& frame);
-    /** The observation as ICP can use it; null when it cannot. */
-    mrpt::obs::CObservation::Ptr usable(const mrpt::obs::CObservation::Ptr& observation);
+    /** What of an observation goes into the map; nothing when it is of no use. */
+    std::vector<mrpt::obs::CObservation::Ptr> usable(const mrpt::obs::CObservation::Ptr& observation);
     /** Gives times to what lacks one. */
     void stamp(mrpt::obs::CSensoryFrame& frame, mrpt::obs::CActionCollection& action);
     mrpt::system::TTimeStamp laterTime() const;

@@ -13,8 +13,6 @@
 
 #include "gr2to/base/errors.h"
 
-extern char** environ;
-
 namespace gr2to::cli
 {
 namespace fs = std::filesystem;
@@ -55,6 +53,7 @@ class Child
         posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
         posix_spawn_file_actions_adddup2(&actions, ends[1], STDERR_FILENO);
         std::vector<char*> argv;
+        argv.reserve(arguments.size() + 1);
         for (std::string& argument : arguments) argv.push_back(argument.data());
         argv.push_back(nullptr);
         const int failure = posix_spawnp(&m_id, argv[0], &actions, nullptr, argv.data(), environ);

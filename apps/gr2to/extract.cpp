@@ -8,6 +8,7 @@
 #include "MappedRawlog.h"
 #include "Progress.h"
 #include "TableOptions.h"
+#include "ViewFiles.h"
 #include "gr2to/base/errors.h"
 #include "gr2to/base/files.h"
 #include "gr2to/base/text.h"
@@ -62,6 +63,12 @@ class Output
     void write(std::size_t index, std::string_view bytes)
     {
         writeFile(m_staged.at(index), bytes);
+        m_bytes += bytes.size();
+    }
+    /** A file besides those that every run writes. */
+    void add(const fs::path& name, std::string_view bytes)
+    {
+        m_files.write(m_folder / name, bytes);
         m_bytes += bytes.size();
     }
     void commit() { m_files.commit(); }
@@ -154,6 +161,8 @@ class Extract : public Command
     std::unique_ptr<TableOptions> m_tables;
     ExtractReport m_report;
     Stopwatch m_watch;
+    std::vector<CapturedView> m_views;
+    std::vector<std::pair<std::string, std::string>> m_viewFiles;
 };
 
 void Extract::declare(CLI::App& app)
@@ -212,6 +221,7 @@ ClassifiedGrid Extract::read(const Output& output, Progress& progress)
     m_watch.lap();
     GridSource source;
     ClassifiedGrid grid = readInput(source, progress);
+    m_views = std::move(source.views);
     requireUsable(grid, m_input);
     output.spare(m_input);
     output.spare(source.image);
@@ -229,6 +239,7 @@ ClassifiedGrid Extract::readInput(GridSource& source, Progress& progress)
         return readGrid(m_input, m_reader, &source);
     }
     progress.step("");
+    m_reader.scans.imagesFolder = imagesFolderOf(m_input);
     const MappedRawlog mapped(m_input, {m_rawlogConfig, m_reader.scans.plugins, m_quiet});
     progress.step("reading " + baseName(m_input).string());
     ClassifiedGrid grid = readGrid(mapped.simplemap(), m_reader, &source);
@@ -241,6 +252,7 @@ Extraction Extract::extract(const ClassifiedGrid& grid, Progress& progress)
     progress.step("finding places and doors");
     Extraction extraction = Gr2To(m_stages).extract(grid);
     extraction.map.source = storableName(m_input);
+    m_viewFiles = addViews(extraction, std::move(m_views));
     requireValid(extraction.map);
     m_report.noteStagesMemory();
     m_report.stages.insert(m_report.stages.end(), extraction.reports.begin(), extraction.reports.end());
@@ -269,8 +281,10 @@ void Extract::write(const ClassifiedGrid& grid, Extraction& extraction, Output& 
     output.write(3, png);
     output.write(4, svg);
     output.write(5, simplemap);
+    for (const auto& [name, bytes] : m_viewFiles) output.add(name, bytes);
     output.commit();
-    m_report.stages.push_back({"writing", {{"files", output.paths().size()}}, m_watch.lap(), output.bytes()});
+    m_report.stages.push_back(
+        {"writing", {{"files", output.paths().size() + m_viewFiles.size()}}, m_watch.lap(), output.bytes()});
 }
 }  // namespace
 

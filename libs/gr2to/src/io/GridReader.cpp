@@ -1,5 +1,7 @@
 #include "gr2to/io/GridReader.h"
 
+#include <mrpt/obs/CRawlog.h>
+
 #include "gr2to/base/errors.h"
 #include "gr2to/base/files.h"
 #include "io/Gridmap.h"
@@ -139,15 +141,20 @@ OccupancyThresholds thresholdsOf(const TGridReaderOptions& options, OccupancyThr
     return thresholds;
 }
 
-ClassifiedGrid readScans(const std::string& bytes, const std::string& name, const TGridReaderOptions& options,
+ClassifiedGrid readScans(const std::string& bytes, const fs::path& path, const TGridReaderOptions& options,
                          GridSource& source)
 {
+    const std::string name = io::pathInQuotes(path);
     const OccupancyThresholds thresholds =
         thresholdsOf(options, {OccupancyThresholds().occupied, kFreeByOneRay}, name, source);
     options.scans.loadPlugins();
-    return io::gridOfSimplemap(io::readSimplemap(bytes, name), name,
-                               options.resolution.value_or(kScanResolution), options.scans, thresholds,
-                               source.scans.emplace());
+    const auto map = io::readSimplemap(bytes, name);
+    ClassifiedGrid grid = io::gridOfSimplemap(map, name, options.resolution.value_or(kScanResolution),
+                                              options.scans, thresholds, source.scans.emplace());
+    const fs::path images =
+        options.scans.imagesFolder.empty() ? imagesFolderOf(path) : options.scans.imagesFolder;
+    if (options.scans.views) source.views = viewsOf(map, images, source.scans->missingImages);
+    return grid;
 }
 
 ClassifiedGrid readArchive(const std::string& bytes, const std::string& name,
@@ -221,10 +228,17 @@ ClassifiedGrid readGrid(const fs::path& path, const TGridReaderOptions& options,
         case io::Format::Gridmap:
             return readArchive(bytes, io::pathInQuotes(path), options, told);
         case io::Format::Simplemap:
-            return readScans(bytes, io::pathInQuotes(path), options, told);
+            return readScans(bytes, path, options, told);
         default:
             return readBareImage(format, bytes, io::pathInQuotes(path), options, told);
     }
+}
+
+fs::path imagesFolderOf(const fs::path& file)
+{
+    const fs::path folder = mrpt::obs::CRawlog::detectImagesDirectory(file.string());
+    std::error_code ignored;
+    return fs::is_directory(folder, ignored) ? folder : file.parent_path();
 }
 
 bool isRawlog(const fs::path& path)

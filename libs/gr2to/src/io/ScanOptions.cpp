@@ -23,7 +23,8 @@ std::vector<OptionField> TScanOptions::fields()
          "them."},
         {"wide_beams", &wide_beams, "", "Whether a ray is a sector as wide as the angle to the next ray."},
         {"plugins", &plugins, "",
-         "Libraries, parted by commas, to load for classes of observations that MRPT does not have."}};
+         "Libraries, parted by commas, to load for classes of observations that MRPT does not have."},
+        {"views", &views, "", "Whether images become views of the places that they were taken in."}};
 }
 
 void TScanOptions::applyTo(mrpt::maps::COccupancyGridMap2D& grid) const

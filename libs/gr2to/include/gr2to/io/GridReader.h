@@ -7,6 +7,7 @@
 
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/io/CapturedViews.h"
 #include "gr2to/io/ScanOptions.h"
 
 namespace gr2to
@@ -57,7 +58,8 @@ struct ScanCounts
 {
     std::size_t keyframes = 0;
     std::size_t observations = 0;
-    std::size_t inserted = 0;  //!< observations that the grid could take
+    std::size_t inserted = 0;       //!< observations that the grid could take
+    std::size_t missingImages = 0;  //!< files of images that could not be read
 };
 
 /** How a grid was read, for people. */
@@ -68,6 +70,7 @@ struct GridSource
     double occupied_threshold = 0.0;
     double free_threshold = 0.0;
     std::optional<ScanCounts> scans;  //!< of a simplemap
+    std::vector<CapturedView> views;  //!< of a simplemap, when TScanOptions::views
 };
 
 /** Reads a 2D map; the format is told by the content, not by the name.
@@ -97,6 +100,9 @@ ClassifiedGrid readGrid(const std::filesystem::path& path, const TGridReaderOpti
  * \throws InputError  the file cannot be read
  */
 bool isRawlog(const std::filesystem::path& path);
+
+/** The folder that MRPT expects the images in that a rawlog or simplemap stores outside of itself. */
+std::filesystem::path imagesFolderOf(const std::filesystem::path& file);
 
 /** Refuses a grid from which no topology can be made: one cell wide, or without a free or an occupied cell.
  * \param name  names the grid in the message, usually the file

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "gr2to/base/OptionTable.h"
@@ -13,7 +14,8 @@ namespace gr2to
 {
 /** How the observations of a simplemap become an occupancy grid; section `scans`.
  *
- * All but `plugins` are MRPT's own insertion options of an occupancy grid, with MRPT's defaults.
+ * All but `plugins` and those of views are MRPT's own insertion options of an occupancy grid, with MRPT's
+ * defaults.
  */
 struct TScanOptions : OptionTable
 {
@@ -29,6 +31,11 @@ struct TScanOptions : OptionTable
     bool wide_beams = false;
     /** Libraries to load first, parted by commas, for classes that neither MRPT nor this library has. */
     std::string plugins;
+    /** Whether images become views. */
+    bool views = true;
+    /** Where images that are stored outside of the file lie; empty for where MRPT looks for them, beside the
+     * file in `NAME_Images` or `Images`. No field of the table. */
+    std::filesystem::path imagesFolder;
 
     std::string section() const override { return "scans"; }
     std::vector<OptionField> fields() override;
