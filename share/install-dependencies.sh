@@ -9,7 +9,7 @@ set -euo pipefail
 
 packages_of() {
     case $1 in
-    build) echo g++ cmake ninja-build pkg-config libmrpt-maps-dev libmrpt-graphs-dev libeigen3-dev libpugixml-dev \
+    build) echo g++ cmake ninja-build pkg-config libmrpt-maps-dev libmrpt-graphs-dev liboctomap-dev libeigen3-dev libpugixml-dev \
         libcli11-dev libpng-dev zlib1g-dev libcairo2-dev libyaml-cpp-dev nlohmann-json3-dev ;;
     demo) echo mrpt-common ;;
     test) echo libgtest-dev libgmock-dev libxml2-utils python3 python3-numpy python3-scipy python3-skimage python3-pil man-db ;;

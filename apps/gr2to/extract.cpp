@@ -14,6 +14,7 @@
 #include "gr2to/io/XmlMap.h"
 #include "gr2to/mrpt/archive.h"
 #include "parse.h"
+#include "readInput.h"
 
 namespace gr2to::cli
 {
@@ -114,10 +115,10 @@ class Extract : public Command
     std::string description() const override
     {
         return "Turns an occupancy grid into a topological map of places, doors and walls. INPUT is told by "
-               "its "
-               "content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), or an MRPT .gridmap "
-               "or "
-               ".gridmap.gz.\n\n"
+               "its content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), an MRPT "
+               ".gridmap "
+               "or .gridmap.gz, or an OctoMap .bt or .ot, which is compressed to a grid first: between floor "
+               "and ceiling, or --z-min and --z-max.\n\n"
                "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), places.png "
                "(16 bits "
                "a pixel: 0 is no place, else a place's id; same size and orientation as the grid), "
@@ -132,8 +133,8 @@ class Extract : public Command
     int run() override;
 
  private:
-    ClassifiedGrid read(const Output& output, Progress& progress);
-    Extraction extract(const ClassifiedGrid& grid, Progress& progress);
+    InputMap read(const Output& output, Progress& progress);
+    Extraction extract(const CompressedGrid& input, Progress& progress);
     void write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress);
 
     std::string m_input;
@@ -184,8 +185,9 @@ int Extract::run()
     m_report.folder = folder;
     Progress progress(!m_quiet);
     Output output(folder);
-    const ClassifiedGrid grid = read(output, progress);
-    Extraction extraction = extract(grid, progress);
+    const InputMap input = read(output, progress);
+    const ClassifiedGrid& grid = input.map.grid;
+    Extraction extraction = extract(input.map, progress);
     write(grid, extraction, output, progress);
     m_report.describe(grid, extraction.map);
     m_report.files = output.paths();
@@ -196,25 +198,23 @@ int Extract::run()
     return kDone;
 }
 
-ClassifiedGrid Extract::read(const Output& output, Progress& progress)
+InputMap Extract::read(const Output& output, Progress& progress)
 {
     progress.step("reading " + baseName(m_input).string());
     m_report.noteProgramMemory();
-    m_watch.lap();
-    GridSource source;
-    ClassifiedGrid grid = readGrid(m_input, m_reader, &source);
-    requireUsable(grid, m_input);
     output.spare(m_input);
-    output.spare(source.image);
-    m_report.format = source.format;
-    m_report.stages.push_back({"reading", {{"cells", grid.size()}}, m_watch.lap(), grid.size()});
-    return grid;
+    InputMap input = readInput(m_input, m_reader, m_stages, m_preset);
+    output.spare(input.image);
+    m_report.format = input.format;
+    m_report.range = input.range;
+    m_report.stages = input.stages;
+    return input;
 }
 
-Extraction Extract::extract(const ClassifiedGrid& grid, Progress& progress)
+Extraction Extract::extract(const CompressedGrid& input, Progress& progress)
 {
     progress.step("finding places and doors");
-    Extraction extraction = Gr2To(m_stages).extract(grid);
+    Extraction extraction = Gr2To(m_stages).extract(input);
     extraction.map.source = storableName(m_input);
     requireValid(extraction.map);
     m_report.noteStagesMemory();

@@ -1,0 +1,296 @@
+#include "gr2to/stages/GridCompression.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gr2to/base/errors.h"
+#include "gr2to/base/text.h"
+#include "gr2to/grid/HeightHistogram.h"
+#include "gr2to/grid/Runs.h"
+#include "gr2to/grid/VoxelColumns.h"
+
+namespace gr2to
+{
+namespace
+{
+/** A height in voxels; a hair off a whole number is that number, so that 0.15 m are three voxels of 0.05 m.
+ */
+double voxelsIn(double height_m, double voxel_m)
+{
+    const double voxels = height_m / voxel_m, whole = std::round(voxels);
+    return std::abs(voxels - whole) < 1e-6 ? whole : voxels;
+}
+
+/** The layers that are compressed, and the floor. */
+struct Layers
+{
+    int first = 0;
+    int last = 0;  //!< after the highest
+    int floor = 0;
+    CompressedRange range;
+};
+
+/** Finds the layers from options and data. */
+class LayerChooser
+{
+ public:
+    LayerChooser(const VoxelBoxes& voxels, const TCompressionOptions& options)
+        : m_voxels(voxels), m_options(options), m_bounds(boundsOf(voxels))
+    {
+    }
+
+    Layers choose() const
+    {
+        if (m_bounds.lastZ == 0)
+            throw InputError(
+                "the octree has no voxel that is free (probability at most compression.p_max = " +
+                numberText(m_options.p_max) + ") or occupied (at least compression.p_min = " +
+                numberText(m_options.p_min) + "); check that it is the right file");
+        requireInside(m_options.z_min, "z_min");
+        requireInside(m_options.z_max, "z_max");
+        const HeightHistogram histogram = heightHistogram(m_voxels);
+        const RoomHeight room = findRoomHeight(histogram, m_voxels.resolution_m);
+        Layers layers;
+        layers.first = m_options.z_min ? layerFrom(*m_options.z_min) : room.floor.value_or(lowest(histogram));
+        layers.last =
+            m_options.z_max ? layerFrom(*m_options.z_max) : room.ceiling.value_or(highest(histogram) + 1);
+        layers.first = std::max(layers.first, m_bounds.firstZ);
+        layers.last = std::min(layers.last, m_bounds.lastZ);
+        layers.range = {m_voxels.lowerSide_m(layers.first), m_voxels.lowerSide_m(layers.last),
+                        room.floor && *room.floor <= layers.last, !m_options.z_max && room.ceiling};
+        layers.floor = layers.range.floorFound ? *room.floor : layers.first;
+        if (layers.first >= layers.last)
+            throw InputError("no voxel's centre lies between z_min = " + numberText(layers.range.z_min_m) +
+                             " m and z_max = " + numberText(layers.range.z_max_m) +
+                             " m; give compression.z_min and compression.z_max farther apart");
+        return layers;
+    }
+
+ private:
+    void requireInside(const std::optional<double>& z, const std::string& name) const
+    {
+        const double low = m_voxels.lowerSide_m(m_bounds.firstZ), high = m_voxels.lowerSide_m(m_bounds.lastZ);
+        const bool outside = z && (name == "z_min" ? *z >= high : *z <= low);
+        if (outside)
+            throw InputError("compression." + name + " = " + numberText(*z) +
+                             " m lies outside of the octree, which reaches from z = " + numberText(low) +
+                             " m to " + numberText(high) +
+                             " m; give a height within it, or none to have floor and ceiling found");
+    }
+    /** The lowest layer whose centre is at a height or above it. */
+    int layerFrom(double z_m) const
+    {
+        const double layer = std::ceil(z_m / m_voxels.resolution_m - 0.5 - 1e-6);
+        return VoxelBoxes::kOrigin + static_cast<int>(std::clamp(layer, -32768.0, 32767.0));
+    }
+    static int lowest(const HeightHistogram& h)
+    {
+        const auto at = std::find_if(h.occupied.begin(), h.occupied.end(), [](auto n) { return n > 0; });
+        return h.firstLayer + static_cast<int>(at - h.occupied.begin());
+    }
+    static int highest(const HeightHistogram& h)
+    {
+        const auto at = std::find_if(h.occupied.rbegin(), h.occupied.rend(), [](auto n) { return n > 0; });
+        return h.firstLayer + static_cast<int>(h.occupied.rend() - at) - 1;
+    }
+
+    const VoxelBoxes& m_voxels;
+    const TCompressionOptions& m_options;
+    VoxelBounds m_bounds;
+};
+
+/** Eq. (7), the filter and the heights, on the columns between z_min and z_max. */
+class Compression
+{
+ public:
+    Compression(const VoxelColumns& columns, const Layers& layers, const TCompressionOptions& options,
+                double voxel_m, CompressedGrid& result)
+        : m_columns(columns), m_layers(layers), m_options(options), m_voxel_m(voxel_m), m_result(result)
+    {
+    }
+
+    void compress()
+    {
+        const double noMin = voxelsIn(m_options.no_min, m_voxel_m),
+                     nfMax = voxelsIn(m_options.nf_max, m_voxel_m);
+        int mostOccupied = 0, mostFree = 0;
+        std::size_t occupied = 0, free = 0;
+        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            const int no = m_columns.countOccupied(i), nf = m_columns.countFree(i);
+            mostOccupied = std::max(mostOccupied, no);
+            mostFree = std::max(mostFree, nf);
+            if (no > noMin && nf < nfMax) {
+                m_result.grid[i] = CellState::Occupied;
+                ++occupied;
+            } else if (nf > nfMax) {
+                m_result.grid[i] = CellState::Free;
+                ++free;
+            }
+        }
+        if (free == 0) complain("nf_max", m_options.nf_max, "free", mostFree);
+        if (occupied == 0) complain("no_min", m_options.no_min, "occupied", mostOccupied);
+    }
+
+    void removeFurniture()
+    {
+        const int tallest = m_layers.floor - m_layers.first +
+                            static_cast<int>(std::floor(voxelsIn(m_options.furniture_height, m_voxel_m)));
+        if (m_options.furniture_height <= 0) return;
+        const auto isLow = [&](std::size_t i) {
+            if (m_result.grid[i] == CellState::Free) return false;
+            const int top = m_columns.highestOccupied(i);
+            return top >= 0 && top < tallest;
+        };
+        Runs runs(m_columns.width(), m_columns.height(), Runs::Connectivity::SidesAndCorners, isLow);
+        struct Piece
+        {
+            std::size_t cells = 0, underAir = 0;
+        };
+        std::vector<Piece> pieces(runs.runs().size());
+        const auto eachCell = [&](auto&& action) {
+            for (std::size_t r = 0; r < pieces.size(); ++r) {
+                const std::size_t root = runs.root(r);
+                for (std::size_t i = runs.runs()[r].begin; i < runs.runs()[r].end; ++i)
+                    action(pieces[root], i);
+            }
+        };
+        eachCell([&](Piece& piece, std::size_t i) {
+            ++piece.cells;
+            const int above = m_columns.highestOccupied(i) + 1;
+            piece.underAir += m_columns.countFree(i, above, m_columns.layers()) > 0 ? 1 : 0;
+        });
+        eachCell([&](const Piece& piece, std::size_t i) {
+            if (2 * piece.underAir < piece.cells) return;
+            m_result.grid[i] = CellState::Free;
+            ++m_result.furnitureCells;
+        });
+        m_result.furniture =
+            static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) {
+                return p.cells > 0 && 2 * p.underAir >= p.cells;
+            }));
+    }
+
+    void measureHeights()
+    {
+        HeightMap& heights = m_result.heights;
+        heights.voxel_m = m_voxel_m;
+        heights.width = m_columns.width();
+        heights.top.assign(m_columns.size(), 0);
+        heights.lintel.assign(m_columns.size(), 0);
+        for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            if (m_result.grid[i] == CellState::Occupied) heights.top[i] = aboveFloor(wallTop(i));
+            if (m_result.grid[i] == CellState::Free) heights.lintel[i] = aboveFloor(lintelBottom(i));
+        }
+    }
+
+ private:
+    [[noreturn]] void complain(const std::string& option, double value, const std::string& state,
+                               int most) const
+    {
+        throw InputError("compression." + option + " = " + numberText(value) + " m leaves no " + state +
+                         " cell: the column with most has " + numberText(most * m_voxel_m) + " m of " +
+                         state + " voxels between z = " + numberText(m_layers.range.z_min_m) + " m and " +
+                         numberText(m_layers.range.z_max_m) + " m; lower it");
+    }
+
+    std::uint16_t aboveFloor(int layer) const
+    {
+        return static_cast<std::uint16_t>(std::clamp(m_layers.first + layer - m_layers.floor, 0, 0xFFFF));
+    }
+
+    /** The layer above the highest occupied one; where the range was cut off by an option nobody knows how
+     * far a wall goes on: the floor's layer then, no height. */
+    int wallTop(std::size_t i) const
+    {
+        const int top = m_columns.highestOccupied(i) + 1;
+        const bool cutOff = top == m_columns.layers() && m_options.z_max;
+        return cutOff ? m_layers.floor - m_layers.first : top;
+    }
+
+    /** The lowest occupied layer over the headroom, with free air right below. */
+    int lintelBottom(std::size_t i) const
+    {
+        const int none = m_layers.floor - m_layers.first;
+        const int head = none + static_cast<int>(std::ceil(voxelsIn(m_options.headroom, m_voxel_m)));
+        const int bottom = m_columns.lowestOccupied(i, head);
+        if (bottom < 0) return none;
+        const int air = std::max(1, static_cast<int>(std::lround(0.5 / m_voxel_m)));
+        return 2 * m_columns.countFree(i, bottom - air, bottom) >= air ? bottom : none;
+    }
+
+    const VoxelColumns& m_columns;
+    const Layers& m_layers;
+    const TCompressionOptions& m_options;
+    double m_voxel_m;
+    CompressedGrid& m_result;
+};
+}  // namespace
+
+std::vector<OptionField> TCompressionOptions::fields()
+{
+    return {
+        {"z_min", &z_min, "m",
+         "Height from which voxels count, z_min of eq. (7); auto: above the floor found in the data."},
+        {"z_max", &z_max, "m",
+         "Height up to which voxels count, z_max of eq. (7); auto: below the ceiling found in the data."},
+        {"nf_max", &nf_max, "m",
+         "A column with free voxels of more than this height in all is free, NF_max of eq. (7); an occupied "
+         "one has "
+         "less.",
+         0, 100},
+        {"no_min", &no_min, "m",
+         "An occupied column has occupied voxels of more than this height in all, NO_min of eq. (7).", 0,
+         100},
+        {"p_max", &p_max, "ratio",
+         "A voxel is free when its occupancy probability is at most this, P_Max of eq. (7).", 0, 1},
+        {"p_min", &p_min, "ratio",
+         "A voxel is occupied when its occupancy probability is at least this, P_Min of eq. (7).", 0, 1},
+        {"furniture_height", &furniture_height, "m",
+         "Things that end below this height above the floor, with air over them, are removed; 0 keeps all.",
+         0, 10},
+        {"headroom", &headroom, "m",
+         "What hangs higher than this above the floor over free space can be a lintel.", 0.5, 10}};
+}
+
+void TCompressionOptions::checkRules() const
+{
+    if (z_min && z_max && *z_min >= *z_max)
+        throw std::invalid_argument("compression.z_max = " + numberText(*z_max) +
+                                    " m must exceed compression.z_min = " + numberText(*z_min) + " m");
+    if (p_max >= p_min)
+        throw std::invalid_argument("compression.p_min = " + numberText(p_min) +
+                                    " must exceed compression.p_max = " + numberText(p_max));
+}
+
+GridCompressor::GridCompressor(TCompressionOptions options) : m_options(std::move(options))
+{
+    m_options.check();
+}
+
+CompressedGrid GridCompressor::compress(const octomap::OcTree& tree) const
+{
+    return compress(voxelsOf(tree, m_options.p_max, m_options.p_min));
+}
+
+CompressedGrid GridCompressor::compress(const VoxelBoxes& voxels) const
+{
+    const Layers layers = LayerChooser(voxels, m_options).choose();
+    VoxelBounds bounds = boundsOf(voxels, layers.first, layers.last);
+    bounds.firstZ = layers.first;  // whether or not a voxel is known there
+    bounds.lastZ = layers.last;
+    const VoxelColumns columns(voxels, bounds);
+    CompressedGrid result;
+    GridFrame frame{voxels.resolution_m, voxels.lowerSide_m(bounds.firstX), voxels.lowerSide_m(bounds.firstY),
+                    0};
+    result.grid = ClassifiedGrid(columns.width(), columns.height(), frame);
+    result.range = layers.range;
+    result.leaves = voxels.boxes.size();
+    result.layers = static_cast<std::size_t>(columns.layers());
+    result.heights.floor_m = voxels.lowerSide_m(layers.floor);
+    Compression compression(columns, layers, m_options, voxels.resolution_m, result);
+    compression.compress();
+    compression.removeFurniture();
+    compression.measureHeights();
+    return result;
+}
+}  // namespace gr2to
