@@ -13,6 +13,9 @@ namespace gr2to
 {
 namespace
 {
+constexpr double kAirOverFurniture_m = 0.25;  // less may be a ray that grazed the top of a wall
+constexpr double kAirUnderLintel_m = 0.5;
+
 /** A height in voxels; a hair off a whole number is that number, so that 0.15 m are three voxels of 0.05 m.
  */
 double voxelsIn(double height_m, double voxel_m)
@@ -133,41 +136,22 @@ class Compression
 
     void removeFurniture()
     {
-        const int tallest = m_layers.floor - m_layers.first +
-                            static_cast<int>(std::floor(voxelsIn(m_options.furniture_height, m_voxel_m)));
         if (m_options.furniture_height <= 0) return;
-        const auto isLow = [&](std::size_t i) {
-            if (m_result.grid[i] == CellState::Free) return false;
-            const int top = m_columns.highestOccupied(i);
-            return top >= 0 && top < tallest;
+        const int floor = m_layers.floor - m_layers.first;
+        const int tallest =
+            std::max(0, floor + static_cast<int>(voxelsIn(m_options.furniture_height, m_voxel_m)));
+        const double air = voxelsIn(kAirOverFurniture_m, m_voxel_m);
+        const auto carriesNothing = [&](std::size_t i) {
+            return m_result.grid[i] != CellState::Free && m_columns.highestOccupied(i) < tallest &&
+                   m_columns.countFree(i, tallest, m_columns.layers()) >= air;
         };
-        Runs runs(m_columns.width(), m_columns.height(), Runs::Connectivity::SidesAndCorners, isLow);
-        struct Piece
-        {
-            std::size_t cells = 0, underAir = 0;
-        };
-        std::vector<Piece> pieces(runs.runs().size());
-        const auto eachCell = [&](auto&& action) {
-            for (std::size_t r = 0; r < pieces.size(); ++r) {
-                const std::size_t root = runs.root(r);
-                for (std::size_t i = runs.runs()[r].begin; i < runs.runs()[r].end; ++i)
-                    action(pieces[root], i);
-            }
-        };
-        eachCell([&](Piece& piece, std::size_t i) {
-            ++piece.cells;
-            const int above = m_columns.highestOccupied(i) + 1;
-            piece.underAir += m_columns.countFree(i, above, m_columns.layers()) > 0 ? 1 : 0;
-        });
-        eachCell([&](const Piece& piece, std::size_t i) {
-            if (2 * piece.underAir < piece.cells) return;
-            m_result.grid[i] = CellState::Free;
-            ++m_result.furnitureCells;
-        });
-        m_result.furniture =
-            static_cast<std::size_t>(std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) {
-                return p.cells > 0 && 2 * p.underAir >= p.cells;
-            }));
+        Runs runs(m_columns.width(), m_columns.height(), Runs::Connectivity::SidesAndCorners, carriesNothing);
+        for (std::size_t r = 0; r < runs.runs().size(); ++r) {
+            const Runs::Run& run = runs.runs()[r];
+            for (std::size_t i = run.begin; i < run.end; ++i) m_result.grid[i] = CellState::Free;
+            m_result.furnitureCells += run.end - run.begin;
+            m_result.furniture += runs.root(r) == r ? 1 : 0;
+        }
     }
 
     void measureHeights()
@@ -214,7 +198,7 @@ class Compression
         const int head = none + static_cast<int>(std::ceil(voxelsIn(m_options.headroom, m_voxel_m)));
         const int bottom = m_columns.lowestOccupied(i, head);
         if (bottom < 0) return none;
-        const int air = std::max(1, static_cast<int>(std::lround(0.5 / m_voxel_m)));
+        const int air = std::max(1, static_cast<int>(std::lround(kAirUnderLintel_m / m_voxel_m)));
         return 2 * m_columns.countFree(i, bottom - air, bottom) >= air ? bottom : none;
     }
 

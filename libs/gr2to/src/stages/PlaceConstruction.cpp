@@ -92,7 +92,7 @@ double clearWidth_cells(const ValidatedDoor& door)
 void lookForLintel(const ClassifiedGrid& grid, const HeightMap& heights, double maxWidth, ValidatedDoor& door)
 {
     door.lintel =
-        clearWidth_cells(door) <= maxWidth && hasLintel(grid, door.line, {door.jambA, door.jambB}, heights);
+        clearWidth_cells(door) <= maxWidth && hasLintel({grid, door.line, {door.jambA, door.jambB}}, heights);
 }
 
 /** Clear widths between jambs at which an opening is a door [cells]. */

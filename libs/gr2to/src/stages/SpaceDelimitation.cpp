@@ -214,7 +214,8 @@ class MapMaker
         result.size.covariance(0, 0) = fit.lengthVariance;
         result.real = true;
         result.state = DoorState::Open;  // the grid shows free cells between the jambs
-        setHeight(m_heights, lintelHeight(door.line, m_heights), result.position, result.size);
+        setHeight(m_heights, lintelHeight({m_grid, door.line, {door.jambA, door.jambB}}, m_heights),
+                  result.position, result.size);
         return result;
     }
 

@@ -9,6 +9,7 @@ namespace
 {
 constexpr double kLineShare = 2.0 / 3;
 constexpr double kBeyondShare = 1.0 / 3;
+constexpr double kJambDepth_m = 0.3;
 constexpr double kBeyond_m = 0.6;       // thicker than walls, less deep than a ceiling that was lowered
 constexpr double kSameHeight_m = 0.15;  // things this much higher are another thing
 constexpr double kMadToSigma = 1.4826;  // of a normal distribution
@@ -40,16 +41,67 @@ std::vector<double> lintelsOver(const std::vector<Cell>& cells, const HeightMap&
     return found;
 }
 
-/** Free cells of a line, moved. */
-std::vector<Cell> movedLine(const ClassifiedGrid& grid, const std::vector<Cell>& line, double dx, double dy)
+/** A line beside a passage's, and what hangs over it. */
+struct Over
 {
-    std::vector<Cell> moved;
-    for (const Cell c : line) {
-        const Cell there{c.x + roundToCell(dx), c.y + roundToCell(dy)};
-        if (grid.isFree(there)) moved.push_back(there);
+    int steps = 0;  //!< cells that it is moved by, across the passage's line
+    std::size_t cells = 0;
+    std::vector<double> lintels_m;
+
+    bool covers(double share) const
+    {
+        return !lintels_m.empty() &&
+               static_cast<double>(lintels_m.size()) >= share * static_cast<double>(cells);
     }
-    return moved;
-}
+};
+
+/** Looks at lines beside a passage's. */
+class PassageView
+{
+ public:
+    PassageView(const Passage& passage, const HeightMap& heights) : m_passage(passage), m_heights(heights)
+    {
+        const Cell a = passage.jambs.nearest, b = passage.jambs.facing;
+        const double length = std::hypot(b.x - a.x, b.y - a.y);
+        m_acrossX = length > 0 ? (a.y - b.y) / length : 0;
+        m_acrossY = length > 0 ? (b.x - a.x) / length : 0;
+    }
+
+    Over moved(int steps) const
+    {
+        Over over;
+        over.steps = steps;
+        std::vector<Cell> cells;
+        for (const Cell c : m_passage.line) {
+            const Cell there{c.x + roundToCell(steps * m_acrossX), c.y + roundToCell(steps * m_acrossY)};
+            if (m_passage.grid.isFree(there)) cells.push_back(there);
+        }
+        over.cells = cells.size();
+        over.lintels_m = lintelsOver(cells, m_heights);
+        return over;
+    }
+
+    /** The nearest line with something over it; nothing over the result when there is none. */
+    Over nearest() const
+    {
+        for (int steps = 0; steps <= stepsOf(kJambDepth_m); ++steps)
+            for (const int side : {-steps, steps})
+                if (Over over = moved(side);
+                    over.covers(kLineShare) && 2 * over.cells >= m_passage.line.size())
+                    return over;
+        return {};
+    }
+
+    int stepsOf(double length_m) const
+    {
+        return static_cast<int>(std::lround(length_m / m_passage.grid.resolution_m()));
+    }
+
+ private:
+    const Passage& m_passage;
+    const HeightMap& m_heights;
+    double m_acrossX, m_acrossY;
+};
 }  // namespace
 
 std::optional<MeasuredHeight> wallHeight(const std::vector<Cell>& wall, const HeightMap& heights)
@@ -61,32 +113,28 @@ std::optional<MeasuredHeight> wallHeight(const std::vector<Cell>& wall, const He
     return measured(std::move(tops), heights.voxel_m);
 }
 
-std::optional<MeasuredHeight> lintelHeight(const std::vector<Cell>& line, const HeightMap& heights)
+std::optional<MeasuredHeight> lintelHeight(const Passage& passage, const HeightMap& heights)
 {
-    if (heights.empty() || line.empty()) return {};
-    std::vector<double> found = lintelsOver(line, heights);
-    if (static_cast<double>(found.size()) < kLineShare * static_cast<double>(line.size())) return {};
-    return measured(std::move(found), heights.voxel_m);
+    if (heights.empty()) return {};
+    Over over = PassageView(passage, heights).nearest();
+    if (over.lintels_m.empty()) return {};
+    return measured(std::move(over.lintels_m), heights.voxel_m);
 }
 
-bool hasLintel(const ClassifiedGrid& grid, const std::vector<Cell>& line, const Jambs& jambs,
-               const HeightMap& heights)
+bool hasLintel(const Passage& passage, const HeightMap& heights)
 {
-    const auto lintel = lintelHeight(line, heights);
-    if (!lintel) return false;
-    const double x = jambs.facing.x - jambs.nearest.x, y = jambs.facing.y - jambs.nearest.y,
-                 length = std::hypot(x, y);
-    if (length == 0) return false;
-    const double reach = kBeyond_m / grid.resolution_m() / length;
-    for (const double side : {-reach, reach}) {
-        const std::vector<Cell> beyond = movedLine(grid, line, -y * side, x * side);
-        const auto low = lintelsOver(beyond, heights);
-        const auto count = std::count_if(low.begin(), low.end(),
-                                         [&](double h) { return h < lintel->height_m + kSameHeight_m; });
-        if (static_cast<double>(count) >= kBeyondShare * static_cast<double>(beyond.size()) && count > 0)
-            return false;
-    }
-    return true;
+    if (heights.empty()) return false;
+    const PassageView view(passage, heights);
+    Over over = view.nearest();
+    if (over.lintels_m.empty()) return false;
+    const double tooLow = medianOf(over.lintels_m) + kSameHeight_m;
+    const auto goesOn = [&](int steps) {
+        Over beyond = view.moved(over.steps + steps);
+        std::vector<double>& all = beyond.lintels_m;
+        all.erase(std::remove_if(all.begin(), all.end(), [&](double h) { return h >= tooLow; }), all.end());
+        return beyond.covers(kBeyondShare);
+    };
+    return !goesOn(view.stepsOf(kBeyond_m)) && !goesOn(-view.stepsOf(kBeyond_m));
 }
 
 void setHeight(const HeightMap& heights, const std::optional<MeasuredHeight>& height,

@@ -23,8 +23,8 @@ struct TCompressionOptions : OptionTable
 {
     std::optional<double> z_min;    //!< z_min
     std::optional<double> z_max;    //!< z_max
-    double nf_max = 0.5;            //!< NF_max
-    double no_min = 0.1;            //!< NO_min
+    double nf_max = 0.8;            //!< NF_max
+    double no_min = 0;              //!< NO_min
     double p_max = 0.45;            //!< P_Max
     double p_min = 0.55;            //!< P_Min
     double furniture_height = 1.8;  //!< 0: no filter
@@ -71,10 +71,10 @@ VoxelBoxes voxelsOf(const octomap::OcTree& tree, double p_max, double p_min);
  * covers, in every column that it covers. z_min and z_max that are not given are floor and ceiling, see
  * findRoomHeight(), and the lowest and highest occupied voxel where there is none.
  *
- * Furniture (by height and support): 8-connected columns that eq. (7) does not make free and whose highest
- * occupied voxel is less than `furniture_height` above the floor become free when at least half of them show
- * free voxels above: what stands on the floor and ends below head height, with air over it, carries no
- * ceiling and bounds no place. What hangs above `headroom` over free voxels is no obstacle by eq. (7) itself.
+ * Furniture (by height and support): a column that eq. (7) does not make free becomes free when nothing in it
+ * is occupied from `furniture_height` above the floor upwards and at least 0.25 m of voxels there are free:
+ * it carries no ceiling, whatever stands in it ends below, and so it bounds no place. What hangs over free
+ * voxels is no obstacle by eq. (7) itself.
  *
  * Source: Gr2To paper, section 4, first stage.
  */

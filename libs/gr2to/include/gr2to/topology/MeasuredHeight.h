@@ -23,19 +23,28 @@ struct MeasuredHeight
  */
 std::optional<MeasuredHeight> wallHeight(const std::vector<Cell>& wall, const HeightMap& heights);
 
-/** Clear height of a passage: the median of the lower sides of what hangs over a line across it; nothing when
- * less than two thirds of the line's cells are under a lintel. */
-std::optional<MeasuredHeight> lintelHeight(const std::vector<Cell>& line, const HeightMap& heights);
+/** Where a passage is looked at from. */
+struct Passage
+{
+    const ClassifiedGrid& grid;
+    const std::vector<Cell>& line;  //!< free cells from jamb to jamb
+    Jambs jambs;
+};
 
-/** Whether a passage has a lintel: something hangs over the line from jamb to jamb, and ends before and
- * behind it.
+/** Clear height of a passage: the median of the lower sides of what hangs over it.
  *
- * 0.6 m to both sides of the line less than a third of the free cells have anything as low hanging over them:
- * there it is no lintel but a ceiling, a duct or a lamp that goes on. \param line  free cells from jamb to
- * jamb
+ * Of the lines that run beside the passage's, up to 0.3 m to both sides, the nearest counts of which at least
+ * two thirds of the free cells have something over them: jambs are as deep as walls, and the line is anywhere
+ * between them. Nothing when there is none.
  */
-bool hasLintel(const ClassifiedGrid& grid, const std::vector<Cell>& line, const Jambs& jambs,
-               const HeightMap& heights);
+std::optional<MeasuredHeight> lintelHeight(const Passage& passage, const HeightMap& heights);
+
+/** Whether a passage has a lintel: something hangs over it, and ends before and behind it.
+ *
+ * 0.6 m to both sides of it less than a third of the free cells have anything as low hanging over them: there
+ * it is no lintel but a ceiling, a duct or a lamp that goes on.
+ */
+bool hasLintel(const Passage& passage, const HeightMap& heights);
 
 /** Gives an upright plane its height, with no covariance with its length, and puts its position to half that
  * height above the floor; without a height the position is on the floor. */
