@@ -13,7 +13,7 @@ namespace gr2to
 {
 namespace
 {
-constexpr double kAirOverFurniture_m = 0.25;  // less may be a ray that grazed the top of a wall
+constexpr double kAirOverFurniture_m = 0.3;  // less may be a ray that grazed the top of a wall
 constexpr double kAirUnderLintel_m = 0.5;
 
 /** A height in voxels; a hair off a whole number is that number, so that 0.15 m are three voxels of 0.05 m.

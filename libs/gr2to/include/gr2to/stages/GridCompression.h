@@ -72,7 +72,7 @@ VoxelBoxes voxelsOf(const octomap::OcTree& tree, double p_max, double p_min);
  * findRoomHeight(), and the lowest and highest occupied voxel where there is none.
  *
  * Furniture (by height and support): a column that eq. (7) does not make free becomes free when nothing in it
- * is occupied from `furniture_height` above the floor upwards and at least 0.25 m of voxels there are free:
+ * is occupied from `furniture_height` above the floor upwards and at least 0.3 m of voxels there are free:
  * it carries no ceiling, whatever stands in it ends below, and so it bounds no place. What hangs over free
  * voxels is no obstacle by eq. (7) itself.
  *
