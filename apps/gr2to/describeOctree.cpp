@@ -26,20 +26,20 @@ OctreeFacts factsOf(const OctreeFile& file, const std::string& name)
 {
     const TCompressionOptions options;
     const VoxelBoxes voxels = voxelsOf(*file.tree, options.p_max, options.p_min);
-    if (voxels.boxes.empty())
+    if (voxels.empty())
         throw InputError(
             name +
             " is an OctoMap octree without any free or occupied voxel; check that it is the right file");
     OctreeFacts facts;
-    for (const VoxelBox& box : voxels.boxes) {
+    voxels.forEach([&](const VoxelBox& box) {
         ++(box.occupied ? facts.occupiedLeaves : facts.freeLeaves);
         (box.occupied ? facts.occupiedVoxels : facts.freeVoxels) += std::int64_t{1} << (3 * box.log2Side);
-    }
+    });
     facts.bounds = boundsOf(voxels);
     const auto at = [&](int key) { return voxels.lowerSide_m(key); };
     facts.low = {at(facts.bounds.firstX), at(facts.bounds.firstY), at(facts.bounds.firstZ)};
     facts.high = {at(facts.bounds.lastX), at(facts.bounds.lastY), at(facts.bounds.lastZ)};
-    const RoomHeight room = findRoomHeight(heightHistogram(voxels), voxels.resolution_m);
+    const RoomHeight room = findRoomHeight(heightHistogram(voxels, facts.bounds), voxels.resolution_m);
     if (room.floor) facts.floor_m = at(*room.floor);
     if (room.ceiling) facts.ceiling_m = at(*room.ceiling);
     return facts;

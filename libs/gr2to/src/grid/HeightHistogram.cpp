@@ -13,6 +13,7 @@ constexpr double kTimesMedian = 1.5;
 constexpr double kLowestRoom_m = 1.8;  // a person has to fit in
 constexpr double kShareOfPeak = 0.25;
 constexpr double kThickestSurface_m = 0.2;
+constexpr int kBitsOfNibble[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
 int layersIn(double length_m, double resolution_m)
 {
@@ -57,12 +58,17 @@ int beyondPeak(const std::vector<std::int64_t>& counts, int peak, int step, int 
 }
 }  // namespace
 
-HeightHistogram heightHistogram(const VoxelBoxes& voxels)
+HeightHistogram heightHistogram(const VoxelBoxes& voxels, const VoxelBounds& bounds)
 {
-    // Each box adds its base to the layers from its lowest to its highest: summed up from the differences at
-    // both ends.
+    // Cubes add their base to the layers from their lowest to their highest: summed up from the differences
+    // at both ends.
     std::vector<std::int64_t> change(2 * VoxelBoxes::kOrigin + 1, 0);
-    const VoxelBounds bounds = boundsOf(voxels);
+    std::vector<std::int64_t> single(2 * VoxelBoxes::kOrigin + 1, 0);
+    constexpr unsigned lowerHalf = 0x0F;
+    for (const VoxelBlock& block : voxels.blocks) {
+        single[block.z] += kBitsOfNibble[block.occupied & lowerHalf];
+        single[block.z + 1U] += kBitsOfNibble[block.occupied >> 4];
+    }
     for (const VoxelBox& box : voxels.boxes) {
         if (!box.occupied) continue;
         const std::int64_t base = std::int64_t{1} << (2 * box.log2Side);
@@ -72,8 +78,10 @@ HeightHistogram heightHistogram(const VoxelBoxes& voxels)
     HeightHistogram histogram;
     histogram.firstLayer = bounds.firstZ;
     std::int64_t count = 0;
-    for (int z = bounds.firstZ; z < bounds.lastZ; ++z)
-        histogram.occupied.push_back(count += change[static_cast<std::size_t>(z)]);
+    for (int z = bounds.firstZ; z < bounds.lastZ; ++z) {
+        const auto at = static_cast<std::size_t>(z);
+        histogram.occupied.push_back((count += change[at]) + single[at]);
+    }
     return histogram;
 }
 

@@ -17,9 +17,13 @@ std::uint64_t mask(int from, int to)
     return upTo & ~((std::uint64_t{1} << from) - 1);
 }
 
+/** Without the processor's instruction, which not all have. */
 int countBits(std::uint64_t word)
 {
-    return __builtin_popcountll(word);
+    word -= (word >> 1) & 0x5555555555555555U;
+    word = (word & 0x3333333333333333U) + ((word >> 2) & 0x3333333333333333U);
+    word = (word + (word >> 4)) & 0x0F0F0F0F0F0F0F0FU;
+    return static_cast<int>((word * 0x0101010101010101U) >> 56);
 }
 }  // namespace
 
@@ -36,7 +40,50 @@ VoxelColumns::VoxelColumns(const VoxelBoxes& voxels, const VoxelBounds& bounds)
                          " voxels, more than fit into 4 GB; give compression.z_min and "
                          "compression.z_max, or cut the map");
     m_bits.assign(words, 0);
+    for (const VoxelBlock& block : voxels.blocks) fill(block, bounds);
     for (const VoxelBox& box : voxels.boxes) fill(box, bounds);
+}
+
+/** Two voxels of a column at a time; by single voxels where the block is not whole within the layers of one
+ * word. */
+void VoxelColumns::fill(const VoxelBlock& block, const VoxelBounds& bounds)
+{
+    const int z = block.z - bounds.firstZ;
+    if (z >= m_layers || z + 1 < 0) return;
+    const int x = block.x - bounds.firstX, y = block.y - bounds.firstY;
+    const bool whole = z >= 0 && z + 2 <= m_layers && z % kBits != kBits - 1;
+    for (int k = 0; k < 4; ++k) {
+        const unsigned known = (block.free | block.occupied) >> k;
+        if ((known & 0x11U) == 0) continue;  // it may lie outside of the grid
+        const std::size_t column =
+            static_cast<std::size_t>(y + (k >> 1)) * static_cast<std::size_t>(m_width) +
+            static_cast<std::size_t>(x + (k & 1));
+        Word* words = m_bits.data() + 2 * column * m_words;
+        if (whole) {
+            // voxels k and k + 4 of the block lie over each other
+            const auto pair = [k](unsigned bits) {
+                return Word{((bits >> k) & 1U) | ((bits >> (k + 3)) & 2U)};
+            };
+            Word* at = words + z / kBits;
+            at[0] |= pair(block.free) << (z % kBits);
+            at[m_words] |= pair(block.occupied) << (z % kBits);
+            continue;
+        }
+        for (int dz = 0; dz < 2; ++dz) {
+            if (z + dz < 0 || z + dz >= m_layers || ((known >> (4 * dz)) & 1) == 0) continue;
+            const bool occupied = (block.occupied >> (k + 4 * dz)) & 1;
+            words[(occupied ? m_words : 0) + static_cast<std::size_t>((z + dz) / kBits)] |=
+                Word{1} << ((z + dz) % kBits);
+        }
+    }
+}
+
+bool VoxelColumns::isUnknown(std::size_t column) const
+{
+    const Word* words = bits(column, 0);
+    for (std::size_t w = 0; w < 2 * m_words; ++w)
+        if (words[w] != 0) return false;
+    return true;
 }
 
 void VoxelColumns::fill(const VoxelBox& box, const VoxelBounds& bounds)

@@ -37,8 +37,8 @@ struct Layers
 class LayerChooser
 {
  public:
-    LayerChooser(const VoxelBoxes& voxels, const TCompressionOptions& options)
-        : m_voxels(voxels), m_options(options), m_bounds(boundsOf(voxels))
+    LayerChooser(const VoxelBoxes& voxels, const VoxelBounds& bounds, const TCompressionOptions& options)
+        : m_voxels(voxels), m_bounds(bounds), m_options(options)
     {
     }
 
@@ -51,7 +51,7 @@ class LayerChooser
                 numberText(m_options.p_min) + "); check that it is the right file");
         requireInside(m_options.z_min, "z_min");
         requireInside(m_options.z_max, "z_max");
-        const HeightHistogram histogram = heightHistogram(m_voxels);
+        const HeightHistogram histogram = heightHistogram(m_voxels, m_bounds);
         const RoomHeight room = findRoomHeight(histogram, m_voxels.resolution_m);
         Layers layers;
         layers.first = m_options.z_min ? layerFrom(*m_options.z_min) : room.floor.value_or(lowest(histogram));
@@ -98,8 +98,8 @@ class LayerChooser
     }
 
     const VoxelBoxes& m_voxels;
+    const VoxelBounds& m_bounds;
     const TCompressionOptions& m_options;
-    VoxelBounds m_bounds;
 };
 
 /** Eq. (7), the filter and the heights, on the columns between z_min and z_max. */
@@ -119,6 +119,7 @@ class Compression
         int mostOccupied = 0, mostFree = 0;
         std::size_t occupied = 0, free = 0;
         for (std::size_t i = 0; i < m_columns.size(); ++i) {
+            if (m_columns.isUnknown(i)) continue;
             const int no = m_columns.countOccupied(i), nf = m_columns.countFree(i);
             mostOccupied = std::max(mostOccupied, no);
             mostFree = std::max(mostFree, nf);
@@ -258,9 +259,9 @@ CompressedGrid GridCompressor::compress(const octomap::OcTree& tree) const
 
 CompressedGrid GridCompressor::compress(const VoxelBoxes& voxels) const
 {
-    const Layers layers = LayerChooser(voxels, m_options).choose();
-    VoxelBounds bounds = boundsOf(voxels, layers.first, layers.last);
-    bounds.firstZ = layers.first;  // whether or not a voxel is known there
+    VoxelBounds bounds = boundsOf(voxels);
+    const Layers layers = LayerChooser(voxels, bounds, m_options).choose();
+    bounds.firstZ = layers.first;
     bounds.lastZ = layers.last;
     const VoxelColumns columns(voxels, bounds);
     CompressedGrid result;
@@ -268,7 +269,7 @@ CompressedGrid GridCompressor::compress(const VoxelBoxes& voxels) const
                     0};
     result.grid = ClassifiedGrid(columns.width(), columns.height(), frame);
     result.range = layers.range;
-    result.leaves = voxels.boxes.size();
+    result.leaves = voxels.count();
     result.layers = static_cast<std::size_t>(columns.layers());
     result.heights.floor_m = voxels.lowerSide_m(layers.floor);
     Compression compression(columns, layers, m_options, voxels.resolution_m, result);

@@ -15,7 +15,8 @@ struct HeightHistogram
     std::vector<std::int64_t>
         occupied;  //!< of each layer from the lowest that has a known voxel to the highest
 };
-HeightHistogram heightHistogram(const VoxelBoxes& voxels);
+/** \param bounds  of all voxels */
+HeightHistogram heightHistogram(const VoxelBoxes& voxels, const VoxelBounds& bounds);
 
 /** Between which layers the room lies that a 3D map shows. */
 struct RoomHeight

@@ -30,6 +30,8 @@ class VoxelColumns
         return static_cast<std::size_t>(m_width) * static_cast<std::size_t>(m_height);
     }
 
+    /** Whether a column has no known voxel at all. */
+    bool isUnknown(std::size_t column) const;
     /** NF and NO of eq. (7): how many voxels of a column are free, how many occupied. */
     int countFree(std::size_t column) const { return count(bits(column, 0)); }
     int countOccupied(std::size_t column) const { return count(bits(column, 1)); }
@@ -50,6 +52,7 @@ class VoxelColumns
         return m_bits.data() + (2 * column + occupied) * m_words;
     }
     int count(const Word* words) const;
+    void fill(const VoxelBlock& block, const VoxelBounds& bounds);
     void fill(const VoxelBox& box, const VoxelBounds& bounds);
 
     int m_width;
