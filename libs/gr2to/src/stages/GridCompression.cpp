@@ -143,7 +143,8 @@ class Compression
             std::max(0, floor + static_cast<int>(voxelsIn(m_options.furniture_height, m_voxel_m)));
         const double air = voxelsIn(kAirOverFurniture_m, m_voxel_m);
         const auto carriesNothing = [&](std::size_t i) {
-            return m_result.grid[i] != CellState::Free && m_columns.highestOccupied(i) < tallest &&
+            return m_result.grid[i] != CellState::Free && !m_columns.isUnknown(i) &&
+                   m_columns.highestOccupied(i) < tallest &&
                    m_columns.countFree(i, tallest, m_columns.layers()) >= air;
         };
         Runs runs(m_columns.width(), m_columns.height(), Runs::Connectivity::SidesAndCorners, carriesNothing);
