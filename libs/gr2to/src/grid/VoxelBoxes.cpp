@@ -6,21 +6,6 @@
 
 namespace gr2to
 {
-namespace
-{
-/** First and one after the last key of a block's voxels along one axis. \param lower  the bits of its lower
- * half */
-struct Span
-{
-    Span(int key, unsigned known, unsigned lower)
-        : first(key + ((known & lower) != 0 ? 0 : 1)), last(key + ((known & ~lower & 0xFFU) != 0 ? 2 : 1))
-    {
-    }
-    int first;
-    int last;
-};
-}  // namespace
-
 std::size_t VoxelBoxes::count() const
 {
     std::size_t cubes = boxes.size();
@@ -30,18 +15,18 @@ std::size_t VoxelBoxes::count() const
 
 VoxelBounds boundsOf(const VoxelBoxes& voxels)
 {
-    constexpr int far = std::numeric_limits<int>::max();
-    VoxelBounds b{far, 0, far, 0, far, 0};
-    const auto add = [](const Span& span, int& first, int& last) {
-        first = std::min(first, span.first);
-        last = std::max(last, span.last);
-    };
+    constexpr std::uint16_t far = std::numeric_limits<std::uint16_t>::max();
+    if (voxels.empty()) return {};
+    std::uint16_t low[3] = {far, far, far}, high[3] = {0, 0, 0};  // of the lower corners of blocks
     for (const VoxelBlock& block : voxels.blocks) {
-        const unsigned known = block.free | block.occupied;
-        add({block.x, known, 0x55}, b.firstX, b.lastX);
-        add({block.y, known, 0x33}, b.firstY, b.lastY);
-        add({block.z, known, 0x0F}, b.firstZ, b.lastZ);
+        low[0] = std::min(low[0], block.x);
+        high[0] = std::max(high[0], block.x);
+        low[1] = std::min(low[1], block.y);
+        high[1] = std::max(high[1], block.y);
+        low[2] = std::min(low[2], block.z);
+        high[2] = std::max(high[2], block.z);
     }
+    VoxelBounds b{low[0], high[0] + 2, low[1], high[1] + 2, low[2], high[2] + 2};
     for (const VoxelBox& box : voxels.boxes) {
         b.firstX = std::min<int>(b.firstX, box.x);
         b.lastX = std::max(b.lastX, box.x + box.side());
@@ -50,6 +35,13 @@ VoxelBounds boundsOf(const VoxelBoxes& voxels)
         b.firstZ = std::min<int>(b.firstZ, box.z);
         b.lastZ = std::max(b.lastZ, box.z + box.side());
     }
-    return b.lastX == 0 ? VoxelBounds{} : b;
+    const auto even = [](int& first, int& last) {
+        first -= first & 1;
+        last += last & 1;
+    };
+    even(b.firstX, b.lastX);
+    even(b.firstY, b.lastY);
+    even(b.firstZ, b.lastZ);
+    return b;
 }
 }  // namespace gr2to

@@ -39,30 +39,28 @@ void VoxelColumns::fill(const VoxelBlock& block, const VoxelBounds& bounds)
 {
     const int z = block.z - bounds.firstZ;
     if (z >= m_layers || z + 1 < 0) return;
-    const std::size_t words = OneWord ? 1 : m_words;
     const bool whole = z >= 0 && z + 2 <= m_layers && (OneWord || z % kBits != kBits - 1);
-    // Where half of the block lies outside of the grid this may point outside too; no bit is there.
-    const std::ptrdiff_t corner =
-        static_cast<std::ptrdiff_t>(block.y - bounds.firstY) * m_width + (block.x - bounds.firstX);
-    for (int k = 0; k < 4; ++k) {
+    const std::size_t corner =
+        static_cast<std::size_t>(block.y - bounds.firstY) * static_cast<std::size_t>(m_width) +
+        static_cast<std::size_t>(block.x - bounds.firstX);
+    for (unsigned k = 0; k < 4; ++k) {
+        const std::size_t column = corner + (k >> 1) * static_cast<std::size_t>(m_width) + (k & 1);
+        // voxels k and k + 4 of the block lie over each other
         const unsigned free = (block.free >> k) & 0x11U, occupied = (block.occupied >> k) & 0x11U;
-        if ((free | occupied) == 0) continue;
-        const std::ptrdiff_t column = corner + (k >> 1) * m_width + (k & 1);
-        Word* at = m_bits.get() + 2 * static_cast<std::size_t>(column) * words;
-        if (whole) {
-            // voxels k and k + 4 of the block lie over each other
-            const auto pair = [](unsigned bits) { return Word{(bits | (bits >> 3)) & 3U}; };
-            if (!OneWord) at += z / kBits;
-            at[0] |= pair(free) << (z % kBits);
-            at[words] |= pair(occupied) << (z % kBits);
+        const Word freePair = (free | (free >> 3)) & 3U, occupiedPair = (occupied | (occupied >> 3)) & 3U;
+        if (OneWord && whole) {
+            Word* at = m_bits.get() + 2 * column;
+            at[0] |= freePair << z;
+            at[1] |= occupiedPair << z;
             continue;
         }
+        Word* at = m_bits.get() + 2 * column * m_words;
         for (int dz = 0; dz < 2; ++dz) {
             const int layer = z + dz;
             if (layer < 0 || layer >= m_layers) continue;
             const auto word = static_cast<std::size_t>(layer / kBits);
-            at[word] |= Word{(free >> (4 * dz)) & 1U} << (layer % kBits);
-            at[words + word] |= Word{(occupied >> (4 * dz)) & 1U} << (layer % kBits);
+            at[word] |= ((freePair >> dz) & 1U) << (layer % kBits);
+            at[m_words + word] |= ((occupiedPair >> dz) & 1U) << (layer % kBits);
         }
     }
 }

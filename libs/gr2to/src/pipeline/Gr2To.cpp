@@ -63,7 +63,7 @@ CompressedGrid Gr2To::compress(const octomap::OcTree& tree, StageReport* report)
         "compression",
         {{"leaves", compressed.leaves},
          {"layers", compressed.layers},
-         {"pieces of furniture", compressed.furniture}},
+         {"cells of furniture", compressed.furnitureCells}},
         compressed.grid.size() + bytesOf(compressed.heights.top) + bytesOf(compressed.heights.lintel));
     if (report != nullptr) *report = reports.front();
     return compressed;

@@ -6,7 +6,6 @@
 #include "gr2to/base/errors.h"
 #include "gr2to/base/text.h"
 #include "gr2to/grid/HeightHistogram.h"
-#include "gr2to/grid/Runs.h"
 #include "gr2to/grid/VoxelColumns.h"
 
 namespace gr2to
@@ -108,14 +107,26 @@ class Compression
  public:
     Compression(const VoxelColumns& columns, const Layers& layers, const TCompressionOptions& options,
                 double voxel_m, CompressedGrid& result)
-        : m_columns(columns), m_layers(layers), m_options(options), m_voxel_m(voxel_m), m_result(result)
+        : m_columns(columns),
+          m_layers(layers),
+          m_options(options),
+          m_voxel_m(voxel_m),
+          m_noMin(voxelsIn(options.no_min, voxel_m)),
+          m_nfMax(voxelsIn(options.nf_max, voxel_m)),
+          m_air(voxelsIn(kAirOverFurniture_m, voxel_m)),
+          m_floor(layers.floor - layers.first),
+          m_tallest(std::max(0, m_floor + static_cast<int>(voxelsIn(options.furniture_height, voxel_m)))),
+          m_head(m_floor + static_cast<int>(std::ceil(voxelsIn(options.headroom, voxel_m)))),
+          m_result(result)
     {
     }
 
     void compress()
     {
-        const double noMin = voxelsIn(m_options.no_min, m_voxel_m),
-                     nfMax = voxelsIn(m_options.nf_max, m_voxel_m);
+        m_result.heights.voxel_m = m_voxel_m;
+        m_result.heights.width = m_columns.width();
+        m_result.heights.top.assign(m_columns.size(), 0);
+        m_result.heights.lintel.assign(m_columns.size(), 0);
         int mostOccupied = 0, mostFree = 0;
         std::size_t occupied = 0, free = 0;
         for (std::size_t i = 0; i < m_columns.size(); ++i) {
@@ -123,53 +134,38 @@ class Compression
             const int no = m_columns.countOccupied(i), nf = m_columns.countFree(i);
             mostOccupied = std::max(mostOccupied, no);
             mostFree = std::max(mostFree, nf);
-            if (no > noMin && nf < nfMax) {
-                m_result.grid[i] = CellState::Occupied;
+            CellState state = equation7(no, nf);
+            if (state != CellState::Free && carriesNothing(i)) {
+                state = CellState::Free;
+                ++m_result.furnitureCells;
+            }
+            m_result.grid[i] = state;
+            if (state == CellState::Occupied) {
                 ++occupied;
-            } else if (nf > nfMax) {
-                m_result.grid[i] = CellState::Free;
+                m_result.heights.top[i] = aboveFloor(wallTop(i));
+            } else if (state == CellState::Free) {
                 ++free;
+                if (no > 0) m_result.heights.lintel[i] = aboveFloor(lintelBottom(i));
             }
         }
         if (free == 0) complain("nf_max", m_options.nf_max, "free", mostFree);
         if (occupied == 0) complain("no_min", m_options.no_min, "occupied", mostOccupied);
     }
 
-    void removeFurniture()
-    {
-        if (m_options.furniture_height <= 0) return;
-        const int floor = m_layers.floor - m_layers.first;
-        const int tallest =
-            std::max(0, floor + static_cast<int>(voxelsIn(m_options.furniture_height, m_voxel_m)));
-        const double air = voxelsIn(kAirOverFurniture_m, m_voxel_m);
-        const auto carriesNothing = [&](std::size_t i) {
-            return m_result.grid[i] != CellState::Free && !m_columns.isUnknown(i) &&
-                   m_columns.highestOccupied(i) < tallest &&
-                   m_columns.countFree(i, tallest, m_columns.layers()) >= air;
-        };
-        Runs runs(m_columns.width(), m_columns.height(), Runs::Connectivity::SidesAndCorners, carriesNothing);
-        for (std::size_t r = 0; r < runs.runs().size(); ++r) {
-            const Runs::Run& run = runs.runs()[r];
-            for (std::size_t i = run.begin; i < run.end; ++i) m_result.grid[i] = CellState::Free;
-            m_result.furnitureCells += run.end - run.begin;
-            m_result.furniture += runs.root(r) == r ? 1 : 0;
-        }
-    }
-
-    void measureHeights()
-    {
-        HeightMap& heights = m_result.heights;
-        heights.voxel_m = m_voxel_m;
-        heights.width = m_columns.width();
-        heights.top.assign(m_columns.size(), 0);
-        heights.lintel.assign(m_columns.size(), 0);
-        for (std::size_t i = 0; i < m_columns.size(); ++i) {
-            if (m_result.grid[i] == CellState::Occupied) heights.top[i] = aboveFloor(wallTop(i));
-            if (m_result.grid[i] == CellState::Free) heights.lintel[i] = aboveFloor(lintelBottom(i));
-        }
-    }
-
  private:
+    CellState equation7(int no, int nf) const
+    {
+        if (no > m_noMin && nf < m_nfMax) return CellState::Occupied;
+        return nf > m_nfMax ? CellState::Free : CellState::Unknown;
+    }
+
+    /** The filter: nothing is occupied above furniture's height, and the air there was seen. */
+    bool carriesNothing(std::size_t i) const
+    {
+        return m_options.furniture_height > 0 && m_columns.highestOccupied(i) < m_tallest &&
+               m_columns.countFree(i, m_tallest, m_columns.layers()) >= m_air;
+    }
+
     [[noreturn]] void complain(const std::string& option, double value, const std::string& state,
                                int most) const
     {
@@ -190,24 +186,25 @@ class Compression
     {
         const int top = m_columns.highestOccupied(i) + 1;
         const bool cutOff = top == m_columns.layers() && m_options.z_max;
-        return cutOff ? m_layers.floor - m_layers.first : top;
+        return cutOff ? m_floor : top;
     }
 
     /** The lowest occupied layer over the headroom, with free air right below. */
     int lintelBottom(std::size_t i) const
     {
-        const int none = m_layers.floor - m_layers.first;
-        const int head = none + static_cast<int>(std::ceil(voxelsIn(m_options.headroom, m_voxel_m)));
-        const int bottom = m_columns.lowestOccupied(i, head);
-        if (bottom < 0) return none;
+        const int bottom = m_columns.lowestOccupied(i, m_head);
+        if (bottom < 0) return m_floor;
         const int air = std::max(1, static_cast<int>(std::lround(kAirUnderLintel_m / m_voxel_m)));
-        return 2 * m_columns.countFree(i, bottom - air, bottom) >= air ? bottom : none;
+        return 2 * m_columns.countFree(i, bottom - air, bottom) >= air ? bottom : m_floor;
     }
 
     const VoxelColumns& m_columns;
     const Layers& m_layers;
     const TCompressionOptions& m_options;
     double m_voxel_m;
+    double m_noMin, m_nfMax, m_air;  //!< [voxels]
+    int m_floor, m_tallest,
+        m_head;  //!< layers: of the floor, of the lowest over furniture, of the lowest lintel
     CompressedGrid& m_result;
 };
 }  // namespace
@@ -273,10 +270,7 @@ CompressedGrid GridCompressor::compress(const VoxelBoxes& voxels) const
     result.leaves = voxels.count();
     result.layers = static_cast<std::size_t>(columns.layers());
     result.heights.floor_m = voxels.lowerSide_m(layers.floor);
-    Compression compression(columns, layers, m_options, voxels.resolution_m, result);
-    compression.compress();
-    compression.removeFurniture();
-    compression.measureHeights();
+    Compression(columns, layers, m_options, voxels.resolution_m, result).compress();
     return result;
 }
 }  // namespace gr2to

@@ -16,6 +16,7 @@ class LeafCollector
     {
         m_voxels.resolution_m = tree.getResolution();
         m_voxels.blocks.reserve(tree.size() / 4);  // of what is not used, no page is ever touched
+        m_voxels.boxes.reserve(tree.size() / 4);
     }
 
     VoxelBoxes collect()

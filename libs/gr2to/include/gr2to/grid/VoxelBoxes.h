@@ -70,6 +70,6 @@ struct VoxelBounds
     int firstZ = 0, lastZ = 0;
 };
 
-/** Bounds of all voxels; all zero when there is none. */
+/** Bounds of all voxels, in whole blocks: firsts and lasts are even; all zero when there is none. */
 VoxelBounds boundsOf(const VoxelBoxes& voxels);
 }  // namespace gr2to

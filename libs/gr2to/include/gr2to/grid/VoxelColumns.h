@@ -17,8 +17,9 @@ namespace gr2to
 class VoxelColumns
 {
  public:
-    /** Of all boxes within the bounds. Cost: linear in the boxes and in the columns that they cover.
-     * \throws InputError  the columns would take more memory than maxBytes()
+    /** Of all voxels within the layers of the bounds.
+     * \param bounds  along x and y those of boundsOf(), along z any. Cost: linear in the boxes and in the
+     * columns that they cover. \throws InputError  the columns would take more memory than maxBytes()
      */
     VoxelColumns(const VoxelBoxes& voxels, const VoxelBounds& bounds);
 

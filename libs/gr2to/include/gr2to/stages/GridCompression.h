@@ -55,8 +55,7 @@ struct CompressedGrid
     CompressedRange range;
     std::size_t leaves = 0;          //!< of the octree that are free or occupied
     std::size_t layers = 0;          //!< of voxels between z_min and z_max
-    std::size_t furniture = 0;       //!< pieces that were removed
-    std::size_t furnitureCells = 0;  //!< cells that they stood on
+    std::size_t furnitureCells = 0;  //!< cells that the filter made free
 };
 
 /** What an octree holds, for people; keys and layers as in VoxelBoxes. */
