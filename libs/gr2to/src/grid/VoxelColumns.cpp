@@ -1,27 +1,29 @@
 #include "gr2to/grid/VoxelColumns.h"
 
-#include <new>
 #include <string>
 
 #include "gr2to/base/errors.h"
 
 namespace gr2to
 {
+std::size_t VoxelColumns::bytesFor(std::size_t columns, int layers, std::size_t words)
+{
+    const std::size_t bytes = 2 * columns * words * sizeof(Word);
+    if (bytes > maxBytes())
+        throw InputError(
+            "the 3D map has " + std::to_string(columns) + " columns of " + std::to_string(layers) +
+            " voxels, more than fit into 4 GB; give compression.z_min and compression.z_max, or cut the map");
+    return bytes;
+}
+
 VoxelColumns::VoxelColumns(const VoxelBoxes& voxels, const VoxelBounds& bounds)
     : m_width(bounds.lastX - bounds.firstX),
       m_height(bounds.lastY - bounds.firstY),
       m_layers(bounds.lastZ - bounds.firstZ),
-      m_words(static_cast<std::size_t>((m_layers + kBits - 1) / kBits))
+      m_words(static_cast<std::size_t>((m_layers + kBits - 1) / kBits)),
+      m_memory(bytesFor(size(), m_layers, m_words))
 {
-    const std::size_t words = 2 * size() * m_words;
-    if (words > maxBytes() / sizeof(Word))
-        throw InputError(
-            "the 3D map has " + std::to_string(m_width) + " x " + std::to_string(m_height) + " columns of " +
-            std::to_string(m_layers) +
-            " voxels, more than fit into 4 GB; give compression.z_min and compression.z_max, or cut the map");
-    // Large zeroed memory comes from the system as it is needed, without a pass over it.
-    m_bits.reset(static_cast<Word*>(std::calloc(words, sizeof(Word))));
-    if (!m_bits) throw std::bad_alloc();
+    m_bits = static_cast<Word*>(m_memory.data());
     m_words == 1 ? fillAll<true>(voxels, bounds) : fillAll<false>(voxels, bounds);
 }
 
@@ -49,12 +51,12 @@ void VoxelColumns::fill(const VoxelBlock& block, const VoxelBounds& bounds)
         const unsigned free = (block.free >> k) & 0x11U, occupied = (block.occupied >> k) & 0x11U;
         const Word freePair = (free | (free >> 3)) & 3U, occupiedPair = (occupied | (occupied >> 3)) & 3U;
         if (OneWord && whole) {
-            Word* at = m_bits.get() + 2 * column;
+            Word* at = m_bits + 2 * column;
             at[0] |= freePair << z;
             at[1] |= occupiedPair << z;
             continue;
         }
-        Word* at = m_bits.get() + 2 * column * m_words;
+        Word* at = m_bits + 2 * column * m_words;
         for (int dz = 0; dz < 2; ++dz) {
             const int layer = z + dz;
             if (layer < 0 || layer >= m_layers) continue;
@@ -72,20 +74,15 @@ void VoxelColumns::fill(const VoxelBox& box, const VoxelBounds& bounds)
     const int from = std::max(0, box.z - bounds.firstZ),
               to = std::min(m_layers, box.z + side - bounds.firstZ);
     if (from >= to) return;
-    const int left = std::max(0, box.x - bounds.firstX),
-              right = std::min(m_width, box.x + side - bounds.firstX);
-    const int bottom = std::max(0, box.y - bounds.firstY),
-              top = std::min(m_height, box.y + side - bounds.firstY);
+    const auto width = static_cast<std::size_t>(m_width), cells = static_cast<std::size_t>(side);
+    const std::size_t corner = static_cast<std::size_t>(box.y - bounds.firstY) * width +
+                               static_cast<std::size_t>(box.x - bounds.firstX);
     const std::size_t words = OneWord ? 1 : m_words;
     for (int word = from / kBits; word * kBits < to; ++word) {
         const Word layers = mask(std::max(0, from - word * kBits), std::min(kBits, to - word * kBits));
-        for (int y = bottom; y < top; ++y) {
-            const std::size_t first = static_cast<std::size_t>(y) * static_cast<std::size_t>(m_width) +
-                                      static_cast<std::size_t>(left);
-            Word* at =
-                m_bits.get() + (2 * first + (box.occupied ? 1 : 0)) * words + static_cast<std::size_t>(word);
-            for (int x = left; x < right; ++x, at += 2 * words) *at |= layers;
-        }
+        Word* row = m_bits + (2 * corner + (box.occupied ? 1 : 0)) * words + static_cast<std::size_t>(word);
+        for (std::size_t y = 0; y < cells; ++y, row += 2 * width * words)
+            for (std::size_t x = 0; x < cells; ++x) row[2 * x * words] |= layers;
     }
 }
 }  // namespace gr2to

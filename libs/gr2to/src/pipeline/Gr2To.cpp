@@ -59,12 +59,11 @@ CompressedGrid Gr2To::compress(const octomap::OcTree& tree, StageReport* report)
     std::vector<StageReport> reports;
     Clock clock(reports);
     CompressedGrid compressed = GridCompressor(m_options.compression).compress(tree);
-    clock.report(
-        "compression",
-        {{"leaves", compressed.leaves},
-         {"layers", compressed.layers},
-         {"cells of furniture", compressed.furnitureCells}},
-        compressed.grid.size() + bytesOf(compressed.heights.top) + bytesOf(compressed.heights.lintel));
+    clock.report("compression",
+                 {{"leaves", compressed.leaves},
+                  {"layers", compressed.layers},
+                  {"cells of furniture", compressed.furnitureCells}},
+                 compressed.grid.size() + compressed.heights.size() * sizeof(std::int16_t));
     if (report != nullptr) *report = reports.front();
     return compressed;
 }

@@ -123,10 +123,6 @@ class Compression
 
     void compress()
     {
-        m_result.heights.voxel_m = m_voxel_m;
-        m_result.heights.width = m_columns.width();
-        m_result.heights.top.assign(m_columns.size(), 0);
-        m_result.heights.lintel.assign(m_columns.size(), 0);
         int mostOccupied = 0, mostFree = 0;
         std::size_t occupied = 0, free = 0;
         for (std::size_t i = 0; i < m_columns.size(); ++i) {
@@ -142,10 +138,10 @@ class Compression
             m_result.grid[i] = state;
             if (state == CellState::Occupied) {
                 ++occupied;
-                m_result.heights.top[i] = aboveFloor(wallTop(i));
+                m_result.heights.setTop(i, wallTop(i) - m_floor);
             } else if (state == CellState::Free) {
                 ++free;
-                if (no > 0) m_result.heights.lintel[i] = aboveFloor(lintelBottom(i));
+                if (no > 0) m_result.heights.setLintel(i, lintelBottom(i) - m_floor);
             }
         }
         if (free == 0) complain("nf_max", m_options.nf_max, "free", mostFree);
@@ -173,11 +169,6 @@ class Compression
                          " cell: the column with most has " + numberText(most * m_voxel_m) + " m of " +
                          state + " voxels between z = " + numberText(m_layers.range.z_min_m) + " m and " +
                          numberText(m_layers.range.z_max_m) + " m; lower it");
-    }
-
-    std::uint16_t aboveFloor(int layer) const
-    {
-        return static_cast<std::uint16_t>(std::clamp(m_layers.first + layer - m_layers.floor, 0, 0xFFFF));
     }
 
     /** The layer above the highest occupied one; where the range was cut off by an option nobody knows how
@@ -269,6 +260,7 @@ CompressedGrid GridCompressor::compress(const VoxelBoxes& voxels) const
     result.range = layers.range;
     result.leaves = voxels.count();
     result.layers = static_cast<std::size_t>(columns.layers());
+    result.heights = HeightMap(columns.width(), columns.height(), voxels.resolution_m);
     result.heights.floor_m = voxels.lowerSide_m(layers.floor);
     Compression(columns, layers, m_options, voxels.resolution_m, result).compress();
     return result;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
 
+#include "gr2to/base/ZeroedMemory.h"
 #include "gr2to/grid/VoxelBoxes.h"
 
 namespace gr2to
@@ -93,7 +92,7 @@ class VoxelColumns
     }
     const Word* bits(std::size_t column, std::size_t occupied) const
     {
-        return m_bits.get() + (2 * column + occupied) * m_words;
+        return m_bits + (2 * column + occupied) * m_words;
     }
     int count(const Word* words) const
     {
@@ -101,6 +100,7 @@ class VoxelColumns
         for (std::size_t w = 0; w < m_words; ++w) sum += countBits(words[w]);
         return sum;
     }
+    static std::size_t bytesFor(std::size_t columns, int layers, std::size_t words);
     template <bool OneWord>
     void fill(const VoxelBlock& block, const VoxelBounds& bounds);
     template <bool OneWord>
@@ -108,15 +108,11 @@ class VoxelColumns
     template <bool OneWord>
     void fillAll(const VoxelBoxes& voxels, const VoxelBounds& bounds);
 
-    struct Free
-    {
-        void operator()(Word* words) const { std::free(words); }
-    };
-
     int m_width;
     int m_height;
     int m_layers;
-    std::size_t m_words;                   //!< that hold the layers of a column
-    std::unique_ptr<Word[], Free> m_bits;  //!< of each column the free ones, then the occupied ones
+    std::size_t m_words;    //!< that hold the layers of a column
+    ZeroedMemory m_memory;  //!< of each column the free ones, then the occupied ones
+    Word* m_bits = nullptr;
 };
 }  // namespace gr2to
