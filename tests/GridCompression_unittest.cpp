@@ -198,9 +198,8 @@ TEST(GridCompression, findsFloorAndCeilingAndMeasuresHeightsFromTheFloor)
 {
     const ClassifiedGrid plan = drawMap({"########", "#......#", "#......#", "########"}, 0.1);
     VoxelBoxes voxels = extruded(plan, 2.5);
-    for (int x = 2; x < 5; ++x)  // a lintel from 2.1 m on
-        for (VoxelBox& box : voxels.boxes)
-            if (box.x == kO + x && box.y == kO + 1 && box.z >= kO + 21) box.occupied = true;
+    for (VoxelBox& box : voxels.boxes)  // a lintel from 2.1 m on
+        if (box.x == kO + 3 && box.y == kO + 1 && box.z >= kO + 21) box.occupied = true;
     const CompressedGrid c = GridCompressor(TCompressionOptions()).compress(voxels);
     EXPECT_TRUE(c.range.floorFound);
     EXPECT_TRUE(c.range.ceilingFound);
@@ -226,7 +225,8 @@ TEST(GridCompression, takesNoDeskForAFloorAndNoSingleSurfaceForBoth)
     EXPECT_EQ(room.floor, kO + 3);
     EXPECT_FALSE(room.ceiling.has_value());
     histogram.occupied[28] = 700;
-    histogram.occupied[27] = 300;  // part of the ceiling: more than a quarter
+    histogram.occupied[27] =
+        300;  // part of the ceiling: more than a tenth of what the peak has over the median
     room = findRoomHeight(histogram, 0.1);
     EXPECT_EQ(room.floor, kO + 3);
     EXPECT_EQ(room.ceiling, kO + 27);
@@ -239,15 +239,17 @@ TEST(GridCompression, takesNoDeskForAFloorAndNoSingleSurfaceForBoth)
 
 TEST(GridCompression, removesWhatEndsBelowHeadHeightUnderAirAndNothingElse)
 {
-    const std::string chest = "######              .....";      // 0.6 m, air seen above 2 m only
-    const std::string wardrobe = "####################  ....";  // 2 m: no furniture
-    const std::string unseen = "######                    ";    // nothing known above it
-    const std::string floor = "..........................", wall = "##########################";
-    const VoxelBoxes voxels = columnsOf({wall, chest, wardrobe, unseen, floor});
+    // the lowest layer is the floor
+    const std::string chest = "#######              .....";      // 0.6 m, air seen above 2 m only
+    const std::string wardrobe = "#####################  ....";  // 2 m: no furniture
+    const std::string unseen = "#######                     ";   // nothing known above it
+    const std::string floor = "#..........................", wall = "###########################";
+    std::vector<std::string> columns = {wall, chest, wardrobe, unseen};
+    columns.resize(44, floor);
+    const VoxelBoxes voxels = columnsOf(columns);
     TCompressionOptions options;
-    options.z_min = 0;
-    options.z_max = 2.6;
     const CompressedGrid filtered = GridCompressor(options).compress(voxels);
+    EXPECT_NEAR(filtered.range.z_min_m, 0.1, 1e-9);
     EXPECT_EQ(statesOf(filtered, 5), "#.##.");
     EXPECT_EQ(filtered.furnitureCells, 1u);
     options.furniture_height = 0;

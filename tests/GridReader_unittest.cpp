@@ -125,12 +125,18 @@ TEST(GridReader, inputsOfLaterVersionsAreRefusedByContentAndByName)
 {
     const TempFolder folder;
     const auto refused = AllOf(HasSubstr("not supported by this version"), HasSubstr("2D grid"));
-    EXPECT_THAT(readErrorOf(folder.write("a.dat", "# Octomap OcTree binary file\n\1\2")), refused);
-    EXPECT_THAT(readErrorOf(folder.write("a.bt", "rest")), AllOf(refused, HasSubstr("OctoMap")));
-    EXPECT_THAT(readErrorOf(folder.write("a.ot", "rest")), AllOf(refused, HasSubstr("OctoMap")));
     EXPECT_THAT(readErrorOf(folder.write("a.simplemap.gz", "\x1f\x8b rest")),
                 AllOf(refused, HasSubstr("simplemap")));
     EXPECT_THAT(readErrorOf(folder.write("a.rawlog", "rest")), AllOf(refused, HasSubstr("rawlog")));
+}
+
+TEST(GridReader, octreesAreNoGrids)
+{
+    const TempFolder folder;
+    EXPECT_THAT(readErrorOf(folder.write("a.dat", "# Octomap OcTree binary file\n\1\2")),
+                AllOf(HasSubstr("OctoMap"), HasSubstr("2D grid is needed")));
+    EXPECT_THAT(readErrorOf(folder.write("a.bt", "rest")), HasSubstr("holds text"));
+    EXPECT_THAT(readErrorOf(folder.write("a.ot", "rest\1")), HasSubstr("holds other data"));
 }
 
 TEST(GridReader, unusableGridsAreRefusedEachWithItsReason)

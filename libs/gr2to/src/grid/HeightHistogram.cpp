@@ -11,7 +11,7 @@ constexpr double kNeighbourhood_m = 0.3;  // thinner than any room, thicker than
 constexpr double kShareOfFullest = 0.5;
 constexpr double kTimesMedian = 1.5;
 constexpr double kLowestRoom_m = 1.8;  // a person has to fit in
-constexpr double kShareOfPeak = 0.25;
+constexpr double kShareOfPeak = 0.1;
 constexpr double kThickestSurface_m = 0.2;
 constexpr int kBitsOfNibble[16] = {0, 1, 1, 2, 1, 2, 2, 3, 1, 2, 2, 3, 2, 3, 3, 4};
 
@@ -48,7 +48,9 @@ std::vector<int> peaksOf(const std::vector<std::int64_t>& counts, int reach)
 /** The first layer beyond a peak, in steps of +1 or -1. */
 int beyondPeak(const std::vector<std::int64_t>& counts, int peak, int step, int thickest)
 {
-    const double least = kShareOfPeak * static_cast<double>(counts[static_cast<std::size_t>(peak)]);
+    const auto usual = static_cast<double>(medianOf(counts));
+    const double least =
+        usual + kShareOfPeak * (static_cast<double>(counts[static_cast<std::size_t>(peak)]) - usual);
     int z = peak;
     const int layers = static_cast<int>(counts.size());
     while (z >= 0 && z < layers && std::abs(z - peak) < thickest &&

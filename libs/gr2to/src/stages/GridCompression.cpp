@@ -131,6 +131,7 @@ class Compression
             mostOccupied = std::max(mostOccupied, no);
             mostFree = std::max(mostFree, nf);
             CellState state = equation7(no, nf);
+            free += state == CellState::Free ? 1 : 0;
             if (state != CellState::Free && carriesNothing(i)) {
                 state = CellState::Free;
                 ++m_result.furnitureCells;
@@ -139,10 +140,8 @@ class Compression
             if (state == CellState::Occupied) {
                 ++occupied;
                 m_result.heights.setTop(i, wallTop(i) - m_floor);
-            } else if (state == CellState::Free) {
-                ++free;
-                if (no > 0) m_result.heights.setLintel(i, lintelBottom(i) - m_floor);
-            }
+            } else if (state == CellState::Free && no > 0)
+                m_result.heights.setLintel(i, lintelBottom(i) - m_floor);
         }
         if (free == 0) complain("nf_max", m_options.nf_max, "free", mostFree);
         if (occupied == 0) complain("no_min", m_options.no_min, "occupied", mostOccupied);

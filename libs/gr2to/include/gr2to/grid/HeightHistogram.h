@@ -32,7 +32,7 @@ struct RoomHeight
  * that goes through the whole map, not the tops of desks. The lowest peak is the floor and the highest one
  * the ceiling when they are at least 1.8 m apart; a single one is the floor when it lies in the lower half of
  * the occupied layers, else the ceiling. A peak is cut off with all layers inwards of it that have more than
- * a quarter of its voxels, at most 0.2 m.
+ * a tenth of what it has over the median layer, at most 0.2 m.
  */
 RoomHeight findRoomHeight(const HeightHistogram& histogram, double resolution_m);
 }  // namespace gr2to
