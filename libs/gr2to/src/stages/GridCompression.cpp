@@ -7,6 +7,7 @@
 #include "gr2to/base/text.h"
 #include "gr2to/grid/HeightHistogram.h"
 #include "gr2to/grid/VoxelColumns.h"
+#include "stages/octreeLeaves.h"
 
 namespace gr2to
 {
@@ -233,6 +234,11 @@ void TCompressionOptions::checkRules() const
     if (p_max >= p_min)
         throw std::invalid_argument("compression.p_min = " + numberText(p_min) +
                                     " must exceed compression.p_max = " + numberText(p_max));
+}
+
+VoxelBoxes voxelsOf(const octomap::OcTree& tree, double p_max, double p_min)
+{
+    return leavesOf(tree, p_max, p_min);
 }
 
 GridCompressor::GridCompressor(TCompressionOptions options) : m_options(std::move(options))

@@ -1,6 +1,6 @@
-#include <octomap/OcTree.h>
+#include "stages/octreeLeaves.h"
 
-#include "gr2to/stages/GridCompression.h"
+#include <octomap/OcTree.h>
 
 namespace gr2to
 {
@@ -72,7 +72,7 @@ class LeafCollector
 };
 }  // namespace
 
-VoxelBoxes voxelsOf(const octomap::OcTree& tree, double p_max, double p_min)
+VoxelBoxes leavesOf(const octomap::OcTree& tree, double p_max, double p_min)
 {
     return LeafCollector(tree, p_max, p_min).collect();
 }

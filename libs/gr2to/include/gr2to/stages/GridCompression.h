@@ -58,7 +58,8 @@ struct CompressedGrid
     std::size_t furnitureCells = 0;  //!< cells that the filter made free
 };
 
-/** What an octree holds, for people; keys and layers as in VoxelBoxes. */
+/** The voxels of an octree that are free (probability at most `p_max`) or occupied (at least `p_min`). Cost:
+ * one visit of the leaves. */
 VoxelBoxes voxelsOf(const octomap::OcTree& tree, double p_max, double p_min);
 
 /** First stage on 3D input: compresses all voxels over a cell into that cell, eq. (7), and takes furniture
