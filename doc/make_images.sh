@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # Makes every picture in doc/images again, from the shipped sample, generated buildings and maps that others publish:
 #
-#   bash doc/make_images.sh [BUILD_FOLDER [ROSE_FOLDER]]
+#   bash doc/make_images.sh [BUILD_FOLDER [ROSE_FOLDER [OCTREE_FOLDER]]]
 #
 # BUILD_FOLDER holds apps/gr2to/gr2to (default: build/release). ROSE_FOLDER holds the ROSE2 maps as NAME.clean.png (MIT
-# licence); without it the picture of a robot's map of an office floor stays as it is. Needs mrpt-common,
-# python3-pil and a build with gr2to-rawlog.
+# licence), OCTREE_FOLDER OctoMap's sample geb079.bt; without them the pictures of these maps stay as they are. Needs
+# mrpt-common, python3-pil and a build with gr2to-rawlog.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=$(cd "${1:-$root/build/release}" && pwd)
 rose=${2:-}
+octrees=${3:-}
 gr2to=$build/apps/gr2to/gr2to
 make_building=$build/apps/gr2to-make-building/gr2to-make-building
 images=$root/doc/images
@@ -94,5 +95,10 @@ if [ -n "$rose" ]; then
     # shellcheck disable=SC2086
     overlay rose "$rose/rose_fr079_map10.clean.png" --resolution 0.05 $plan
     picture rose-office 1000 "$scratch/rose.png"
+fi
+if [ -n "$octrees" ]; then
+    # shellcheck disable=SC2046 # the layers are words
+    overlay octree "$octrees/geb079.bt" $(layers grid places ids doors connections legend scale_bar)
+    picture octree-geb079 1400 "$scratch/octree.png"
 fi
 ls -l "$images"

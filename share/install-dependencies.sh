@@ -10,7 +10,7 @@ set -euo pipefail
 
 packages_of() {
     case $1 in
-    build) echo g++ cmake ninja-build pkg-config libmrpt-maps-dev libmrpt-graphs-dev libeigen3-dev libpugixml-dev \
+    build) echo g++ cmake ninja-build pkg-config libmrpt-maps-dev libmrpt-graphs-dev liboctomap-dev libeigen3-dev libpugixml-dev \
         libcli11-dev libpng-dev zlib1g-dev libcairo2-dev libyaml-cpp-dev nlohmann-json3-dev ;;
     rawlog) echo libmrpt-slam-dev ;;
     demo) echo mrpt-common ;;

@@ -126,11 +126,18 @@ TEST(GridReader, inputsOfLaterVersionsAreRefusedByContentAndByName)
 {
     const TempFolder folder;
     const auto refused = AllOf(HasSubstr("not supported by this version"), HasSubstr("2D grid"));
-    EXPECT_THAT(readErrorOf(folder.write("a.dat", "# Octomap OcTree binary file\n\1\2")), refused);
-    EXPECT_THAT(readErrorOf(folder.write("a.bt", "rest")), AllOf(refused, HasSubstr("OctoMap")));
-    EXPECT_THAT(readErrorOf(folder.write("a.ot", "rest")), AllOf(refused, HasSubstr("OctoMap")));
     EXPECT_THAT(readErrorOf(folder.write("a.rawlog", "rest")),
                 AllOf(HasSubstr("a rawlog"), HasSubstr("gr2to-rawlog")));
+    EXPECT_THAT(readErrorOf(folder.write("a.pcd", "# .PCD v0.7")), refused);
+}
+
+TEST(GridReader, octreesAreNoGrids)
+{
+    const TempFolder folder;
+    EXPECT_THAT(readErrorOf(folder.write("a.dat", "# Octomap OcTree binary file\n\1\2")),
+                AllOf(HasSubstr("OctoMap"), HasSubstr("2D grid is needed")));
+    EXPECT_THAT(readErrorOf(folder.write("a.bt", "rest")), HasSubstr("holds text"));
+    EXPECT_THAT(readErrorOf(folder.write("a.ot", "rest\1")), HasSubstr("holds other data"));
 }
 
 TEST(GridReader, unusableGridsAreRefusedEachWithItsReason)

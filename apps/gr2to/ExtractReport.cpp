@@ -42,6 +42,23 @@ std::string counted(std::size_t count, const std::string& singular)
     return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
 }
 
+std::string rangeText(const CompressedRange& range)
+{
+    const auto origin = [](bool found, const char* surface) {
+        return std::string(found ? " (" : " (no ") + surface + (found ? " found)" : " used)");
+    };
+    return "compressed from z = " + fixedText(range.z_min_m, 3) + " m" + origin(range.floorFound, "floor") +
+           " to " + fixedText(range.z_max_m, 3) + " m" + origin(range.ceilingFound, "ceiling") + "\n";
+}
+
+Json rangeJson(const CompressedRange& range)
+{
+    return {{"z_min_m", range.z_min_m},
+            {"z_max_m", range.z_max_m},
+            {"floor_found", range.floorFound},
+            {"ceiling_found", range.ceilingFound}};
+}
+
 Json optionsJson(const std::vector<OptionTable*>& tables)
 {
     Json json;
@@ -107,10 +124,11 @@ std::string ExtractReport::text() const
         return fixedText(static_cast<double>(bytes) / MEGA, 0) + " MB";
     };
     std::string text = format + ", " + std::to_string(m_width) + " x " + std::to_string(m_height) +
-                       " cells of " + numberText(m_frame.resolution_m) + " m, preset " + preset + "\n\n" +
-                       table.text() + "peak memory " + megabytes(peakMemory()) + "; " +
-                       megabytes(m_stagesBytes) + " before drawing, " + megabytes(m_programBytes) +
-                       " before reading: " + fixedText(bytesPerCell(), 1) + " bytes a cell\n\n";
+                       " cells of " + numberText(m_frame.resolution_m) + " m, preset " + preset + "\n" +
+                       (range ? rangeText(*range) : "") + "\n" + table.text() + "peak memory " +
+                       megabytes(peakMemory()) + "; " + megabytes(m_stagesBytes) + " before drawing, " +
+                       megabytes(m_programBytes) + " before reading: " + fixedText(bytesPerCell(), 1) +
+                       " bytes a cell\n\n";
     text += counted(m_counts.rooms, "room") + ", " + counted(m_counts.corridors, "corridor") + ", " +
             counted(m_counts.doors, "door") + ", " + counted(m_counts.openings, "opening") + "\n";
     text += "Written to '" + folder.string() + "':";
@@ -124,6 +142,7 @@ std::string ExtractReport::json() const
     json["input"] = input;
     json["grid"] = frameJson(format, m_width, m_height, m_frame);
     json["preset"] = preset;
+    if (range) json["compression"] = rangeJson(*range);
     json["options"] = optionsJson(options);
     json["stages"] = stagesJson(stages);
     json["milliseconds"] = secondsOf(stages) * 1e3;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,8 @@ class ExtractReport
     std::string format;
     std::string preset;
     std::filesystem::path folder;
-    std::vector<OptionTable*> options;  //!< as they were used
+    std::optional<CompressedRange> range;  //!< of a 3D map
+    std::vector<OptionTable*> options;     //!< as they were used
     std::vector<StageReport> stages;
     std::vector<std::filesystem::path> files;
 

@@ -29,7 +29,10 @@ std::string metavarOf(const OptionField& field)
 std::string namesOf(const OptionTable& table, const OptionField& field)
 {
     const std::string flag = flagOf(table, field);
-    return flag == "--input-resolution" ? "--resolution," + flag : flag;
+    for (const std::string shortened : {"resolution", "z-min", "z-max"})
+        if (flag == "--input-" + shortened || flag == "--compression-" + shortened)
+            return "--" + shortened + "," + flag;
+    return flag;
 }
 }  // namespace
 

@@ -17,6 +17,7 @@
 #include "gr2to/mrpt/archive.h"
 #include "gr2to/mrpt/simplemap.h"
 #include "parse.h"
+#include "readInput.h"
 
 namespace gr2to::cli
 {
@@ -123,11 +124,13 @@ class Extract : public Command
     std::string description() const override
     {
         return "Turns an occupancy grid into a topological map of places, doors and walls. INPUT is told by "
-               "its "
-               "content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), or an MRPT .gridmap "
-               "or "
-               ".simplemap, each also as .gz, or an MRPT rawlog, which the program gr2to-rawlog maps "
-               "first.\n\n"
+               "its content: a ROS map_server .yaml, a PNG or PGM image (with --resolution), an MRPT "
+               ".gridmap "
+               "or .simplemap, each also as .gz, an MRPT rawlog, which the program gr2to-rawlog maps first, "
+               "or an "
+               "OctoMap .bt or .ot, which is compressed to a grid first: between floor and ceiling, or "
+               "--z-min and "
+               "--z-max.\n\n"
                "Into DIR go topomap.xml (the map), topomap.gr2to (the same as an MRPT archive), "
                "topomap.simplemap (a keyframe with a scan for each place, for MRPT's tools), places.png "
                "(16 bits "
@@ -143,9 +146,9 @@ class Extract : public Command
     int run() override;
 
  private:
-    ClassifiedGrid read(const Output& output, Progress& progress);
-    ClassifiedGrid readInput(GridSource& source, Progress& progress);
-    Extraction extract(const ClassifiedGrid& grid, Progress& progress);
+    InputMap read(const Output& output, Progress& progress);
+    InputMap readAfterMapping(Progress& progress);
+    Extraction extract(const CompressedGrid& input, Progress& progress);
     void write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress);
 
     std::string m_input;
@@ -202,8 +205,9 @@ int Extract::run()
     m_report.folder = folder;
     Progress progress(!m_quiet);
     Output output(folder);
-    const ClassifiedGrid grid = read(output, progress);
-    Extraction extraction = extract(grid, progress);
+    const InputMap input = read(output, progress);
+    const ClassifiedGrid& grid = input.map.grid;
+    Extraction extraction = extract(input.map, progress);
     write(grid, extraction, output, progress);
     m_report.describe(grid, extraction.map);
     m_report.files = output.paths();
@@ -214,43 +218,42 @@ int Extract::run()
     return kDone;
 }
 
-ClassifiedGrid Extract::read(const Output& output, Progress& progress)
+InputMap Extract::read(const Output& output, Progress& progress)
 {
     progress.step("reading " + baseName(m_input).string());
     m_report.noteProgramMemory();
-    m_watch.lap();
-    GridSource source;
-    ClassifiedGrid grid = readInput(source, progress);
-    m_views = std::move(source.views);
-    requireUsable(grid, m_input);
     output.spare(m_input);
-    output.spare(source.image);
-    m_report.format = source.format;
-    m_report.stages.push_back({"reading", {{"cells", grid.size()}}, m_watch.lap(), grid.size()});
-    return grid;
+    InputMap input = readAfterMapping(progress);
+    m_views = std::move(input.views);
+    output.spare(input.image);
+    m_report.format = input.format;
+    m_report.range = input.range;
+    m_report.stages = input.stages;
+    return input;
 }
 
-ClassifiedGrid Extract::readInput(GridSource& source, Progress& progress)
+/** Maps a rawlog first; then it is a simplemap. */
+InputMap Extract::readAfterMapping(Progress& progress)
 {
     if (!isRawlog(m_input)) {
         if (!m_rawlogConfig.empty())
             throw InputError("'" + m_input +
                              "' is no rawlog, to which --rawlog-config would apply; remove it");
-        return readGrid(m_input, m_reader, &source);
+        return readInput(m_input, m_reader, m_stages, m_preset);
     }
     progress.step("");
     m_reader.scans.imagesFolder = imagesFolderOf(m_input);
     const MappedRawlog mapped(m_input, {m_rawlogConfig, m_reader.scans.plugins, m_quiet});
     progress.step("reading " + baseName(m_input).string());
-    ClassifiedGrid grid = readGrid(mapped.simplemap(), m_reader, &source);
-    source.format = "MRPT rawlog, mapped by ICP";
-    return grid;
+    InputMap input = readInput(mapped.simplemap(), m_reader, m_stages, m_preset);
+    input.format = "MRPT rawlog, mapped by ICP";
+    return input;
 }
 
-Extraction Extract::extract(const ClassifiedGrid& grid, Progress& progress)
+Extraction Extract::extract(const CompressedGrid& input, Progress& progress)
 {
     progress.step("finding places and doors");
-    Extraction extraction = Gr2To(m_stages).extract(grid);
+    Extraction extraction = Gr2To(m_stages).extract(input);
     extraction.map.source = storableName(m_input);
     m_viewFiles = addViews(extraction, std::move(m_views));
     requireValid(extraction.map);

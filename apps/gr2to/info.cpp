@@ -23,8 +23,9 @@ class Info : public Command
         return "Tells what FILE holds. Of a grid (ROS .yaml, PNG or PGM image, MRPT .gridmap or .simplemap): "
                "its format, "
                "size, "
-               "resolution, origin, extent, and how much of it is free, occupied and unknown. Of a "
-               "topological map "
+               "resolution, origin, extent, and how much of it is free, occupied and unknown. Of an OctoMap "
+               "(.bt, .ot): the same of its voxels, and where its floor and ceiling are. Of a topological "
+               "map "
                "(topomap.xml or .gr2to): a table of its places, and its connections and walls. Of a folder "
                "that "
                "'gr2to extract' wrote: the same of the map in it.\n\n"
@@ -56,9 +57,20 @@ class Info : public Command
     }
     std::string ofGrid(const std::filesystem::path& file) const
     {
+        if (isOctreeFile(file)) return ofOctree(file);
         GridSource source;
         const ClassifiedGrid grid = readGrid(file, m_reader, &source);
         return m_json ? gridJson(file, grid, source) : gridText(file, grid, source);
+    }
+
+    std::string ofOctree(const std::filesystem::path& file) const
+    {
+        if (m_tables.given())
+            throw InputError(
+                "'" + file.string() +
+                "' is an OctoMap octree, to which options for 2D grids do not apply; remove them");
+        const OctreeFile octree = readOctree(file);
+        return m_json ? octreeJson(file, octree) : octreeText(file, octree);
     }
 
     std::string m_file;

@@ -62,7 +62,8 @@ can be given in three ways; a later one of this list wins:
 3. `--door-max-width 1.2`, or `--set door.max_width=1.2`, on the command line sets one.
 
 An unknown name is an error that tells the nearest known one; so is a value outside its range. `[input]` and `[scans]` are
-also options of `gr2to info` and `gr2to compare`; `--resolution` is short for `--input-resolution`.
+also options of `gr2to info` and `gr2to compare`; `--resolution` is short for `--input-resolution`, `--z-min` and
+`--z-max` for `--compression-z-min` and `--compression-z-max`.
 
 `gr2to options --markdown` prints this page.
 )";

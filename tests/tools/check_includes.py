@@ -17,13 +17,13 @@ FOLDERS = {
     "base": (set(), {"mrpt/config", "posix"}),
     "grid": ({"base"}, {"Eigen"}),
     "topology": ({"grid", "base"}, {"Eigen", "mrpt/math", "mrpt/graphs"}),
-    "stages": ({"topology", "grid", "base"}, {"Eigen", "mrpt/maps", "mrpt/config"}),
+    "stages": ({"topology", "grid", "base"}, {"Eigen", "mrpt/maps", "mrpt/config", "octomap"}),
     "refine": ({"topology", "grid", "base"}, {"Eigen", "ceres"}),
     "pipeline": ({"stages", "refine", "topology", "grid", "base"}, {"Eigen", "mrpt/maps", "mrpt/config"}),
     # The archive's reader takes XML files as well, so that callers need not know which of the two they hold.
-    "mrpt": ({"pipeline", "io", "view", "topology", "grid", "base"}, {"Eigen", "mrpt", "zlib.h"}),
+    "mrpt": ({"pipeline", "io", "view", "topology", "grid", "base"}, {"Eigen", "mrpt", "zlib.h", "octomap"}),
     "io": ({"topology", "grid", "base"},
-           {"Eigen", "mrpt", "pugixml.hpp", "png.h", "zlib.h", "yaml-cpp", "nlohmann", "posix"}),
+           {"Eigen", "mrpt", "pugixml.hpp", "png.h", "zlib.h", "yaml-cpp", "nlohmann", "posix", "octomap"}),
     "view": ({"topology", "grid", "base"}, {"Eigen", "cairo.h", "cairo-svg.h", "mrpt/img", "mrpt/opengl", "mrpt/math"}),
     "compare": ({"topology", "grid", "base"}, {"Eigen", "nlohmann"}),
 }

@@ -36,13 +36,10 @@ constexpr std::array<Named, 5> kOtherNetpbm{{{"P1", "a PBM image"},
                                              {"P6", "a PPM image"},
                                              {"P7", "a PAM image"}}};
 
-constexpr std::array<Named, 4> kUnsupportedNames{{{".bt", "a 3D OctoMap"},
-                                                  {".ot", "a 3D OctoMap"},
-                                                  {".rawlog", "a rawlog"},
-                                                  {".pcd", "a 3D point cloud"}}};
+constexpr std::array<Named, 2> kUnsupportedNames{{{".rawlog", "a rawlog"}, {".pcd", "a 3D point cloud"}}};
 
-constexpr std::array<std::string_view, 10> kBinaryNames{".png",  ".pgm", ".gridmap", ".simplemap", ".jpg",
-                                                        ".jpeg", ".bmp", ".gif",     ".tif",       ".tiff"};
+constexpr std::array<std::string_view, 12> kBinaryNames{
+    ".png", ".pgm", ".gridmap", ".simplemap", ".jpg", ".jpeg", ".bmp", ".gif", ".tif", ".tiff", ".bt", ".ot"};
 
 /** The extension in lower case, without a `.gz` behind it. */
 std::string extensionOf(std::filesystem::path path)
@@ -97,7 +94,10 @@ std::string startOf(std::string_view bytes)
 
 void refuseKnownOthers(std::string_view bytes, const std::string& name)
 {
-    if (startsWith(bytes, "# Octomap OcTree")) refuseKind(name, "a 3D OctoMap");
+    if (startsWith(bytes, "# Octomap OcTree"))
+        throw InputError(name +
+                         " is an OctoMap octree where a 2D grid is needed (.yaml, .png, .pgm or .gridmap); " +
+                         "'gr2to extract' takes octrees");
     if (startsWith(bytes, "# .PCD")) refuseKind(name, "a 3D point cloud");
     const auto refuseImage = [&](std::string_view kind) {
         throw InputError(name + " is " + std::string(kind) + "; convert it to PNG or PGM");

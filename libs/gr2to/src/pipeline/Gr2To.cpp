@@ -54,7 +54,39 @@ Gr2To::Gr2To(Gr2ToOptions options) : m_options(std::move(options))
     m_options.check();
 }
 
+CompressedGrid Gr2To::compress(const octomap::OcTree& tree, StageReport* report) const
+{
+    std::vector<StageReport> reports;
+    Clock clock(reports);
+    CompressedGrid compressed = GridCompressor(m_options.compression).compress(tree);
+    clock.report("compression",
+                 {{"leaves", compressed.leaves},
+                  {"layers", compressed.layers},
+                  {"cells of furniture", compressed.furnitureCells}},
+                 compressed.grid.size() + compressed.heights.size() * sizeof(std::int16_t));
+    if (report != nullptr) *report = reports.front();
+    return compressed;
+}
+
+Extraction Gr2To::extract(const octomap::OcTree& tree) const
+{
+    StageReport report;
+    Extraction e = extract(compress(tree, &report));
+    e.reports.insert(e.reports.begin(), report);
+    return e;
+}
+
+Extraction Gr2To::extract(const CompressedGrid& input) const
+{
+    return extract(input.grid, input.heights);
+}
+
 Extraction Gr2To::extract(const ClassifiedGrid& input) const
+{
+    return extract(input, HeightMap());
+}
+
+Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights) const
 {
     if (input.count(CellState::Free) == 0)
         throw InputError("the grid has no free cell: there is no place to find");
@@ -83,8 +115,9 @@ Extraction Gr2To::extract(const ClassifiedGrid& input) const
                  bytesOf(e.voronoi));
 
     e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
-    std::vector<ValidatedDoor> doors = builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles);
-    e.graph = builder.build(std::move(doors), e.voronoi, grid, obstacles, e.distances);
+    std::vector<ValidatedDoor> doors =
+        builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights);
+    e.graph = builder.build(std::move(doors), e.voronoi, grid, obstacles, e.distances, heights);
     clock.report("place construction",
                  {{"critical points", e.criticalPoints.size()},
                   {"circles", e.graph.circles.size()},
@@ -92,7 +125,7 @@ Extraction Gr2To::extract(const ClassifiedGrid& input) const
                  bytesOf(e.graph.circleOfCell));
 
     DelimitedSpace space =
-        SpaceDelimiter(m_options.delimitation).delimit(grid, e.distances, e.voronoi, e.graph);
+        SpaceDelimiter(m_options.delimitation).delimit(grid, e.distances, e.voronoi, e.graph, heights);
     e.places = std::move(space.places);
     e.map = std::move(space.map);
     clock.report("space delimitation",

@@ -22,12 +22,14 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 {
     Gr2ToOptions options;
     if (name == "paper") {
+        options.compression.furniture_height = 0;
         options.filter.max_blob_area = 0;
         options.distance.unknown_is_obstacle =
             false;  // "the euclidean distance to the nearest occupied cell"
         options.place.meet_at_narrowest = false;
         options.place.min_depth = 1;
         options.place.narrow_opening = 0;
+        options.place.lintel_width = 0;
         options.delimitation.corridor_elongation = 0;
         options.place.one_door_per_candidate = true;
     } else if (name != "default")
@@ -38,7 +40,7 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 
 std::vector<OptionTable*> Gr2ToOptions::tables()
 {
-    return {&filter, &distance, &door, &voronoi, &place, &delimitation};
+    return {&compression, &filter, &distance, &door, &voronoi, &place, &delimitation};
 }
 
 void Gr2ToOptions::set(const std::string& key, const std::string& value)

@@ -1,12 +1,14 @@
 #include "gr2to/stages/PlaceConstruction.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <unordered_map>
 
 #include "gr2to/grid/CriticalPoints.h"
 #include "gr2to/grid/Jambs.h"
 #include "gr2to/topology/DiagramDivider.h"
+#include "gr2to/topology/MeasuredHeight.h"
 #include "gr2to/topology/ShallowMerging.h"
 
 namespace gr2to
@@ -78,21 +80,43 @@ class SupportFinder
 
 ValidatedDoor makeDoor(const ClassifiedGrid& grid, const CriticalPoint& point, const Jambs& jambs)
 {
-    return {point, jambs.nearest, jambs.facing, criticalLine(grid, point.cell, jambs)};
+    return {point, jambs.nearest, jambs.facing, criticalLine(grid, point.cell, jambs), false};
 }
 
+double clearWidth_cells(const ValidatedDoor& door)
+{
+    return distance_cells(door.jambA, door.jambB) - 1;
+}
+
+/** Notes whether a 3D map shows a lintel over a door that is not too wide for one. */
+void lookForLintel(const ClassifiedGrid& grid, const HeightMap& heights, double maxWidth, ValidatedDoor& door)
+{
+    door.lintel =
+        clearWidth_cells(door) <= maxWidth && hasLintel({grid, door.line, {door.jambA, door.jambB}}, heights);
+}
+
+/** Clear widths between jambs at which an opening is a door [cells]. */
+struct OpeningRule
+{
+    double minWidth;
+    double maxWidth;        //!< with nothing but its width to show
+    double maxLintelWidth;  //!< under a lintel
+};
+
 /** Makes doors of links at openings between jambs whose clear width is that of a door. */
-void makeNarrowOpeningsDoors(const ClassifiedGrid& grid, Obstacles obstacles, double minWidth,
-                             double maxWidth, PlaceGraph& graph)
+void makeNarrowOpeningsDoors(const ClassifiedGrid& grid, Obstacles obstacles, const HeightMap& heights,
+                             const OpeningRule& rule, PlaceGraph& graph)
 {
     for (PlaceLink& link : graph.links) {
         if (link.door >= 0) continue;
         const auto jambs = findJambs(grid, obstacles, link.at, link.clearance_cells);
         if (!jambs) continue;
-        const double clearWidth = distance_cells(jambs->nearest, jambs->facing) - 1;
-        if (clearWidth < minWidth || clearWidth > maxWidth) continue;
+        ValidatedDoor door = makeDoor(grid, {link.at, link.clearance_cells}, *jambs);
+        lookForLintel(grid, heights, rule.maxLintelWidth, door);
+        const double clearWidth = clearWidth_cells(door);
+        if (clearWidth < rule.minWidth || (clearWidth > rule.maxWidth && !door.lintel)) continue;
         link.door = static_cast<int>(graph.doors.size());
-        graph.doors.push_back(makeDoor(grid, {link.at, link.clearance_cells}, *jambs));
+        graph.doors.push_back(std::move(door));
     }
 }
 
@@ -113,6 +137,26 @@ void addSeparateDoors(const std::vector<CriticalPoint>& points, const std::vecto
         taken.push_back(point);
         supporting.insert(p);
     }
+}
+/** Indices of the critical points that lie in no doorway yet, nor a doorway in them. */
+std::vector<int> separateFrom(const std::vector<CriticalPoint>& points,
+                              const std::map<int, ValidatedDoor>& doors, double maxClearance)
+{
+    const auto near = [](const CriticalPoint& a, const CriticalPoint& b) {
+        return distance_cells(a.cell, b.cell) < std::max(a.clearance_cells, b.clearance_cells);
+    };
+    std::vector<int> separate;
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        if (points[p].clearance_cells > maxClearance + 1) continue;
+        const bool taken = std::any_of(doors.begin(), doors.end(), [&](const auto& door) {
+            return near(points[p], door.second.critical);
+        });
+        const bool inSeparate = std::any_of(separate.begin(), separate.end(), [&](int other) {
+            return near(points[p], points[static_cast<std::size_t>(other)]);
+        });
+        if (!taken && !inSeparate) separate.push_back(static_cast<int>(p));
+    }
+    return separate;
 }
 }  // namespace
 
@@ -137,6 +181,11 @@ std::vector<OptionField> TPlaceOptions::fields()
         {"narrow_opening", &narrow_opening, "m",
          "An opening between two jambs no wider than this is a door, whether eq. (8) saw it or not; 0 trusts "
          "eq. (8).",
+         0, 20},
+        {"lintel_width", &lintel_width, "m",
+         "A critical point under a lintel of a 3D map no wider than this is a door, whether eq. (8) saw it "
+         "or not; 0 "
+         "trusts eq. (8).",
          0, 20}};
 }
 
@@ -154,8 +203,10 @@ std::vector<CriticalPoint> PlaceBuilder::criticalPoints(const VoronoiGraph& voro
 
 std::vector<ValidatedDoor> PlaceBuilder::validate(const std::vector<DoorCandidate>& candidates,
                                                   const std::vector<CriticalPoint>& points,
-                                                  const ClassifiedGrid& grid, Obstacles obstacles) const
+                                                  const ClassifiedGrid& grid, Obstacles obstacles,
+                                                  const HeightMap& heights) const
 {
+    const double maxLintel = m_options.lintel_width / grid.resolution_m();
     std::set<int> supporting;
     const SupportFinder finder(points, m_options.door_support / grid.resolution_m());
     for (const DoorCandidate& candidate : candidates) {
@@ -165,29 +216,36 @@ std::vector<ValidatedDoor> PlaceBuilder::validate(const std::vector<DoorCandidat
         else
             addSeparateDoors(points, support, candidate.maxClearance_cells, supporting);
     }
-    std::vector<ValidatedDoor> doors;
-    for (const int p : supporting) {
+    std::map<int, ValidatedDoor> doors;  // by their points, which are in raster order
+    const auto make = [&](int p, bool onlyWithLintel) {
         const CriticalPoint& point = points[static_cast<std::size_t>(p)];
         const auto jambs = findJambs(grid, obstacles, point.cell, point.clearance_cells);
-        if (!jambs) continue;
-        doors.push_back(makeDoor(grid, point, *jambs));
-    }
-    return doors;
+        if (!jambs) return;
+        ValidatedDoor door = makeDoor(grid, point, *jambs);
+        lookForLintel(grid, heights, maxLintel, door);
+        if (!onlyWithLintel || door.lintel) doors.emplace(p, std::move(door));
+    };
+    for (const int p : supporting) make(p, false);
+    if (!heights.empty())
+        for (const int p : separateFrom(points, doors, maxLintel / 2)) make(p, true);
+    std::vector<ValidatedDoor> result;
+    for (auto& [p, door] : doors) result.push_back(std::move(door));
+    return result;
 }
 
 PlaceGraph PlaceBuilder::build(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
-                               const ClassifiedGrid& grid, Obstacles obstacles,
-                               const DistanceMap& distances) const
+                               const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
+                               const HeightMap& heights) const
 {
     const MeetingRule meeting = m_options.meet_at_narrowest ? MeetingRule::Narrowest : MeetingRule::HalfWay;
     PlaceGraph graph = DiagramDivider(std::move(doors), voronoi, grid, obstacles, distances,
                                       m_options.min_radius / grid.resolution_m(), meeting)
                            .divide();
     if (m_options.min_depth < 1) graph = mergeShallow(graph, m_options.min_depth);
-    const double narrow = m_options.narrow_opening / grid.resolution_m();
-    if (narrow > 0)
-        makeNarrowOpeningsDoors(grid, obstacles, 2 * m_options.min_radius / grid.resolution_m(), narrow,
-                                graph);
+    const OpeningRule rule{2 * m_options.min_radius / grid.resolution_m(),
+                           m_options.narrow_opening / grid.resolution_m(),
+                           m_options.lintel_width / grid.resolution_m()};
+    if (rule.maxWidth > 0) makeNarrowOpeningsDoors(grid, obstacles, heights, rule, graph);
     return graph;
 }
 }  // namespace gr2to

@@ -4,11 +4,12 @@
 #include <cmath>
 
 #include "gr2to/base/errors.h"
-#include "gr2to/grid/Jambs.h"
 #include "gr2to/grid/Partition.h"
 #include "gr2to/topology/CorridorMerging.h"
+#include "gr2to/topology/MeasuredHeight.h"
 #include "gr2to/topology/Octagon.h"
 #include "gr2to/topology/WallFit.h"
+#include "gr2to/topology/WallSupport.h"
 
 namespace gr2to
 {
@@ -36,8 +37,9 @@ class MapMaker
 {
  public:
     MapMaker(const ClassifiedGrid& grid, const DistanceMap& distances, const VoronoiGraph& voronoi,
-             const PlaceGraph& graph, const TDelimitationOptions& options)
+             const PlaceGraph& graph, const HeightMap& heights, const TDelimitationOptions& options)
         : m_grid(grid),
+          m_heights(heights),
           m_voronoi(voronoi),
           m_graph(graph),
           m_options(options),
@@ -127,7 +129,7 @@ class MapMaker
                 ? PlaceKind::Corridor
                 : PlaceKind::Room;
         const Eigen::Vector2d center = m_grid.frame().toMap(m_graph.circles[draft.circles.front()].center);
-        place.center = {center.x(), center.y(), 0};
+        place.center = {center.x(), center.y(), m_heights.floor_m};
         const std::vector<Eigen::Vector2d> outline = outlineOf(draft);
         for (const auto& vertex : outline) {
             const Eigen::Vector2d p = m_grid.frame().toMap(vertex.x(), vertex.y());
@@ -160,7 +162,11 @@ class MapMaker
 
     Wall wallBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
     {
-        auto [support, covered] = cellsAlong(m_closedGrid, from, to);
+        double covered = 0;
+        const std::vector<Cell> cells = wallSupport(m_closedGrid, from, to, &covered);
+        std::vector<Eigen::Vector2d> support;
+        support.reserve(cells.size());
+        for (const Cell c : cells) support.push_back(m_grid.frame().toMap(c));
         Wall wall;
         wall.id = ++m_wallCount;
         wall.real = covered > m_options.real_wall_ratio;
@@ -177,6 +183,8 @@ class MapMaker
         wall.normal.covariance = inSpace(fit.normalCovariance);
         wall.size.length_m = wall.real ? fit.length_m : along.norm() * m_grid.resolution_m();
         wall.size.covariance(0, 0) = fit.lengthVariance;
+        setHeight(m_heights, wall.real ? wallHeight(cells, m_heights) : std::nullopt, wall.position,
+                  wall.size);
         return wall;
     }
 
@@ -207,6 +215,8 @@ class MapMaker
         result.size.covariance(0, 0) = fit.lengthVariance;
         result.real = true;
         result.state = DoorState::Open;  // the grid shows free cells between the jambs
+        setHeight(m_heights, lintelHeight({m_grid, door.line, {door.jambA, door.jambB}}, m_heights),
+                  result.position, result.size);
         return result;
     }
 
@@ -219,10 +229,12 @@ class MapMaker
         result.position.covariance = inSpace(Eigen::Matrix2d::Identity() * variance);
         result.size.length_m = (2 * link.clearance_cells - 1) * m_grid.resolution_m();
         result.size.covariance(0, 0) = 2 * variance;
+        setHeight(m_heights, std::nullopt, result.position, result.size);
         return result;
     }
 
     const ClassifiedGrid& m_grid;
+    const HeightMap& m_heights;
     const VoronoiGraph& m_voronoi;
     const PlaceGraph& m_graph;
     const TDelimitationOptions& m_options;
@@ -261,8 +273,9 @@ SpaceDelimiter::SpaceDelimiter(TDelimitationOptions options) : m_options(std::mo
 }
 
 DelimitedSpace SpaceDelimiter::delimit(const ClassifiedGrid& grid, const DistanceMap& distances,
-                                       const VoronoiGraph& voronoi, const PlaceGraph& graph) const
+                                       const VoronoiGraph& voronoi, const PlaceGraph& graph,
+                                       const HeightMap& heights) const
 {
-    return MapMaker(grid, distances, voronoi, graph, m_options).make();
+    return MapMaker(grid, distances, voronoi, graph, heights, m_options).make();
 }
 }  // namespace gr2to

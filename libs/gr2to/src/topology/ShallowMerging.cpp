@@ -43,7 +43,11 @@ PlaceGraph mergeShallow(const PlaceGraph& graph, double minDepth)
     std::stable_sort(byWidth.begin(), byWidth.end(), [](const PlaceLink& a, const PlaceLink& b) {
         return a.clearance_cells > b.clearance_cells;
     });
-    for (const PlaceLink& link : byWidth) groups.mergeAcross(link, minDepth);
+    const auto hasLintel = [&](const PlaceLink& link) {
+        return link.door >= 0 && graph.doors[static_cast<std::size_t>(link.door)].lintel;
+    };
+    for (const PlaceLink& link : byWidth)
+        if (!hasLintel(link)) groups.mergeAcross(link, minDepth);
 
     PlaceGraph merged;
     std::vector<std::size_t> newIndex(graph.circles.size());

@@ -5,40 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "gr2to/grid/Jambs.h"
-
 namespace gr2to
 {
-WallSupport cellsAlong(const ClassifiedGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-{
-    const int samples = std::max(1, static_cast<int>(std::ceil((to - from).norm())));  // one a cell
-    std::vector<std::size_t> cells;
-    int hits = 0;
-    Cell before{-3, -3};  // the sample before, whose neighbours are known
-    for (int k = 0; k <= samples; ++k) {
-        const Eigen::Vector2d p = from + (to - from) * (static_cast<double>(k) / samples);
-        const Cell at{roundToCell(p.x()), roundToCell(p.y())};
-        bool hit = false;
-        for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-                const Cell c{at.x + dx, at.y + dy};
-                if (!grid.isOccupied(c)) continue;
-                hit = true;
-                if (std::abs(c.x - before.x) > 1 || std::abs(c.y - before.y) > 1)
-                    cells.push_back(grid.index(c));
-            }
-        hits += hit ? 1 : 0;
-        before = at;
-    }
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-    WallSupport support;
-    support.covered = static_cast<double>(hits) / (samples + 1);
-    support.points.reserve(cells.size());
-    for (const std::size_t i : cells) support.points.push_back(grid.frame().toMap(grid.cell(i)));
-    return support;
-}
-
 LineFit fitLine(const std::vector<Eigen::Vector2d>& points, double resolution_m)
 {
     LineFit fit;

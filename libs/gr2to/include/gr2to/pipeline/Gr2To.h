@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gr2to/stages/DoorDetection.h"
+#include "gr2to/stages/GridCompression.h"
 #include "gr2to/stages/GridFiltering.h"
 #include "gr2to/stages/PlaceConstruction.h"
 #include "gr2to/stages/SpaceDelimitation.h"
@@ -23,6 +24,7 @@ struct TDistanceOptions : OptionTable
 /** The options of all stages. */
 struct Gr2ToOptions
 {
+    TCompressionOptions compression;
     TFilterOptions filter;
     TDistanceOptions distance;
     TDoorOptions door;
@@ -71,7 +73,7 @@ struct Extraction
     std::vector<StageReport> reports;
 };
 
-/** From an occupancy grid to an augmented topological map, in the paper's stages two to five.
+/** From a 3D or 2D occupancy grid to an augmented topological map, in the paper's five stages.
  *
  * Deterministic: the same grid and options give the same result. Source: Gr2To paper, section 4.
  */
@@ -84,7 +86,18 @@ class Gr2To
     /** \throws InputError  the grid has no free or no occupied cell; see requireUsable() in io */
     Extraction extract(const ClassifiedGrid& input) const;
 
+    /** First stage of 3D input, eq. (7). \param report  when given, receives what the stage did
+     * \throws InputError  see GridCompressor::compress()
+     */
+    CompressedGrid compress(const octomap::OcTree& tree, StageReport* report = nullptr) const;
+    /** All else of 3D input: as of 2D input, with heights. */
+    Extraction extract(const CompressedGrid& input) const;
+    /** All stages. */
+    Extraction extract(const octomap::OcTree& tree) const;
+
  private:
+    Extraction extract(const ClassifiedGrid& input, const HeightMap& heights) const;
+
     Gr2ToOptions m_options;
 };
 }  // namespace gr2to

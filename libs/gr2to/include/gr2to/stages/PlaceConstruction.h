@@ -4,6 +4,7 @@
 
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/HeightMap.h"
 #include "gr2to/grid/VoronoiGraph.h"
 #include "gr2to/topology/PlaceGraph.h"
 
@@ -18,6 +19,7 @@ struct TPlaceOptions : OptionTable
     bool meet_at_narrowest = true;
     double min_depth = 0.75;
     double narrow_opening = 1.5;
+    double lintel_width = 2.0;
 
     std::string section() const override { return "place"; }
     std::vector<OptionField> fields() override;
@@ -46,19 +48,21 @@ class PlaceBuilder
      * that are as narrow as a door and whose circles do not hold a narrower one's centre.
      *
      * Its line runs from the nearest obstacle over the critical point to the nearest obstacle on the other
-     * side. \param obstacles  what the distances were measured to \return in raster order of their critical
-     * points
+     * side. \param obstacles  what the distances were measured to
+     * \param heights  of a 3D map: points under a lintel no wider than `lintel_width` are doors without a
+     * candidate, being the strongest evidence there is \return in raster order of their critical points
      */
     std::vector<ValidatedDoor> validate(const std::vector<DoorCandidate>& candidates,
                                         const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid,
-                                        Obstacles obstacles) const;
+                                        Obstacles obstacles, const HeightMap& heights = {}) const;
 
     /** Circles, eq. (9), and their links; a door that does not part two places is dropped.
      *
      * Every connected part of the diagram, cut at the doors, that holds a circle of `min_radius` has a place.
      */
     PlaceGraph build(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
-                     const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances) const;
+                     const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
+                     const HeightMap& heights = {}) const;
 
  private:
     TPlaceOptions m_options;

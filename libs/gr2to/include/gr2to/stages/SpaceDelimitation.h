@@ -2,6 +2,7 @@
 
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/HeightMap.h"
 #include "gr2to/grid/PlaceImage.h"
 #include "gr2to/grid/VoronoiGraph.h"
 #include "gr2to/topology/PlaceGraph.h"
@@ -41,9 +42,12 @@ class SpaceDelimiter
     /** \throws std::invalid_argument  an option is out of range */
     explicit SpaceDelimiter(TDelimitationOptions options);
 
-    /** \throws OutputError  there are more places than PlaceId can number */
+    /** \param heights  of a 3D map: walls are as high as their columns, doors as their lintels, and z is that
+     * of the floor or, of what has a height, of its middle \throws OutputError  there are more places than
+     * PlaceId can number */
     DelimitedSpace delimit(const ClassifiedGrid& grid, const DistanceMap& distances,
-                           const VoronoiGraph& voronoi, const PlaceGraph& graph) const;
+                           const VoronoiGraph& voronoi, const PlaceGraph& graph,
+                           const HeightMap& heights = {}) const;
 
  private:
     TDelimitationOptions m_options;

@@ -25,6 +25,7 @@ struct ValidatedDoor
     Cell jambA;              //!< obstacle nearest to the critical point
     Cell jambB;              //!< nearest obstacle on the other side
     std::vector<Cell> line;  //!< free cells of the closed door, 8-connected from jamb to jamb
+    bool lintel = false;     //!< a 3D map shows a lintel over it, the strongest evidence that it is real
 };
 
 /** Two circles joined along the Voronoi diagram. */

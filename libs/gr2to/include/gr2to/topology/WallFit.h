@@ -3,8 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "gr2to/grid/ClassifiedGrid.h"
-
 namespace gr2to
 {
 /** A straight line through wall cells with its uncertainty, in the plane. */
@@ -17,17 +15,6 @@ struct LineFit
     Eigen::Matrix2d normalCovariance;  //!< of the unit normal, along the line
     double lengthVariance = 0;         //!< [m^2]
 };
-
-/** Occupied cells along a straight side of a place. */
-struct WallSupport
-{
-    std::vector<Eigen::Vector2d> points;  //!< cells' centres in the map's frame, in raster order [m]
-    double covered = 0;                   //!< part of the side's length that has one within a cell
-};
-
-/** Finds the occupied cells within a cell of a segment. \param from, to  continuous grid coordinates [cells]
- */
-WallSupport cellsAlong(const ClassifiedGrid& grid, const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
 /** Fits a line to the centres of cells by total least squares and propagates the cell size to its covariance.
  *
