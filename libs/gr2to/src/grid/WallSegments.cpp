@@ -88,7 +88,7 @@ std::vector<WallSegment> findWallSegments(const std::vector<WallCell>& cells, co
             }
             s.beginRow = static_cast<int>(std::lround(beginSum / begins));
             s.endRow = static_cast<int>(std::lround(endSum / ends));
-            s.middle = directions[d].cell(runs[longest].begin, runs[longest].row);
+            s.cell = directions[d].cell(runs[longest].begin, runs[longest].row);
             segments.push_back(s);
         }
     }

@@ -114,7 +114,42 @@ class Merger
             if (!n) n = ++regions.count;
             regions.ofCell[i] = n;
         }
+        addBorders(number, regions);
         return regions;
+    }
+
+    /** Pieces of a cut that go on between the same two regions are one border. */
+    void addBorders(const std::vector<int>& number, Regions& regions)
+    {
+        constexpr int gap = 2;
+        for (std::size_t p = 0; p < m_pieces.size();) {
+            const auto pairOf = [&](const Piece& piece) {
+                return std::minmax({number[static_cast<std::size_t>(find(piece.below))], number[static_cast<std::size_t>(find(piece.above))]});
+            };
+            const Piece& first = m_pieces[p];
+            const auto pair = pairOf(first);
+            int end = first.end;
+            std::size_t next = p + 1;
+            while (next < m_pieces.size() && m_pieces[next].cut == first.cut && m_pieces[next].begin <= end + gap && pairOf(m_pieces[next]) == pair)
+                end = m_pieces[next++].end;
+            if (pair.first != pair.second) regions.borders.push_back(border(*m_cuts[first.cut].cut, pair.first, pair.second, first.begin, end));
+            p = next;
+        }
+    }
+
+    RegionBorder border(const CandidateCut& cut, int from, int to, int begin, int end) const
+    {
+        const LineDirection& d = cut.direction;
+        RegionBorder result;
+        result.from = from;
+        result.to = to;
+        result.jambA = d.cell(begin - 1, cut.row);
+        result.jambB = d.cell(end, cut.row);
+        result.length_cells = (end - begin) * d.stretch();
+        for (const Cell c : cut.cells)
+            if (d.step(c) >= begin && d.step(c) < end) result.cells.push_back(c);
+        result.middle = result.cells[result.cells.size() / 2];
+        return result;
     }
 
  private:

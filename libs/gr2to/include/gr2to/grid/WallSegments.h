@@ -12,7 +12,7 @@ struct WallSegment
     std::size_t direction = 0;  //!< index among the dominant directions
     int begin = 0, end = 0;     //!< first and last step along the direction
     int beginRow = 0, endRow = 0;  //!< rows in the middle of the wall at its ends
-    Cell middle;                //!< a cell of the wall
+    Cell cell;                  //!< one of the wall's
 };
 
 struct WallSegmentRules

@@ -24,9 +24,21 @@ struct FaceMergingRules
     double minPlace_m2 = 2.0;
 };
 
+/** A straight border between two regions. */
+struct RegionBorder
+{
+    int from = 0;  //!< smaller than `to`
+    int to = 0;
+    Cell jambA, jambB;        //!< just beyond its ends
+    Cell middle;
+    double length_cells = 0;  //!< of the free cells
+    std::vector<Cell> cells;
+};
+
 /** For each cell the region that it belongs to, from 1; 0 on cells that are not free. */
 struct Regions
 {
+    std::vector<RegionBorder> borders;
     std::vector<int> ofCell;
     int count = 0;
 };
