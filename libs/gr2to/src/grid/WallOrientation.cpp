@@ -56,7 +56,8 @@ void boxBlur(std::vector<float>& image, int w, int h, int radius)
     const float norm = 1.0F / static_cast<float>(2 * radius + 1);
     std::vector<float> line(static_cast<std::size_t>(std::max(w, h)));
     const auto pass = [&](std::size_t begin, std::size_t stride, int n) {
-        for (int k = 0; k < n; ++k) line[static_cast<std::size_t>(k)] = image[begin + static_cast<std::size_t>(k) * stride];
+        for (int k = 0; k < n; ++k)
+            line[static_cast<std::size_t>(k)] = image[begin + static_cast<std::size_t>(k) * stride];
         float sum = 0;
         for (int k = 0; k < std::min(radius, n); ++k) sum += line[static_cast<std::size_t>(k)];
         for (int k = 0; k < n; ++k) {
@@ -87,7 +88,8 @@ std::vector<WallCell> measureWallOrientation(const ClassifiedGrid& grid, double 
     return cells;
 }
 
-std::vector<LineDirection> dominantDirections(const std::vector<WallCell>& cells, std::size_t most, double least)
+std::vector<LineDirection> dominantDirections(const std::vector<WallCell>& cells, std::size_t most,
+                                              double least)
 {
     constexpr int bins = 180;
     std::array<double, bins> histogram{};
@@ -100,7 +102,8 @@ std::vector<LineDirection> dominantDirections(const std::vector<WallCell>& cells
     std::array<double, bins> smooth{};
     for (int b = 0; b < bins; ++b)
         for (int k = -2; k <= 2; ++k)
-            smooth[static_cast<std::size_t>(b)] += (3 - std::abs(k)) * histogram[static_cast<std::size_t>(b + k + bins) % bins];
+            smooth[static_cast<std::size_t>(b)] +=
+                (3 - std::abs(k)) * histogram[static_cast<std::size_t>(b + k + bins) % bins];
     std::vector<LineDirection> directions;
     double strongest = 0;
     while (directions.size() < most) {

@@ -12,7 +12,8 @@ struct Run
     int row, begin, end;
 };
 
-std::vector<Run> runsAlong(const std::vector<WallCell>& cells, const LineDirection& direction, const WallSegmentRules& rules)
+std::vector<Run> runsAlong(const std::vector<WallCell>& cells, const LineDirection& direction,
+                           const WallSegmentRules& rules)
 {
     const double gate = std::cos(2 * rules.maxAngle_deg * 3.14159265358979323846 / 180);
     const double c = direction.doubleCos(), s = direction.doubleSin();
@@ -24,10 +25,13 @@ std::vector<Run> runsAlong(const std::vector<WallCell>& cells, const LineDirecti
     }
     std::sort(members.begin(), members.end());
     std::vector<Run> runs;
-    const double gap = rules.maxGap_cells / direction.stretch(), length = rules.minLength_cells / direction.stretch();
+    const double gap = rules.maxGap_cells / direction.stretch(),
+                 length = rules.minLength_cells / direction.stretch();
     for (std::size_t i = 0; i < members.size();) {
         std::size_t k = i + 1;
-        while (k < members.size() && members[k].first == members[i].first && members[k].second - members[k - 1].second - 1 <= gap) ++k;
+        while (k < members.size() && members[k].first == members[i].first &&
+               members[k].second - members[k - 1].second - 1 <= gap)
+            ++k;
         if (members[k - 1].second - members[i].second + 1 >= length)
             runs.push_back({members[i].first, members[i].second, members[k - 1].second});
         i = k;
@@ -46,8 +50,11 @@ std::vector<std::size_t> joinRows(const std::vector<Run>& runs)
     };
     std::size_t below = 0;
     for (std::size_t i = 0; i < runs.size(); ++i) {
-        while (below < i && (runs[below].row < runs[i].row - 1 || (runs[below].row == runs[i].row - 1 && runs[below].end < runs[i].begin))) ++below;
-        for (std::size_t k = below; k < i && runs[k].row == runs[i].row - 1 && runs[k].begin <= runs[i].end; ++k) {
+        while (below < i && (runs[below].row < runs[i].row - 1 ||
+                             (runs[below].row == runs[i].row - 1 && runs[below].end < runs[i].begin)))
+            ++below;
+        for (std::size_t k = below; k < i && runs[k].row == runs[i].row - 1 && runs[k].begin <= runs[i].end;
+             ++k) {
             if (runs[k].end < runs[i].begin) continue;
             const std::size_t a = find(k), b = find(i);
             parent[std::max(a, b)] = std::min(a, b);
@@ -58,7 +65,8 @@ std::vector<std::size_t> joinRows(const std::vector<Run>& runs)
 }
 }  // namespace
 
-std::vector<WallSegment> findWallSegments(const std::vector<WallCell>& cells, const std::vector<LineDirection>& directions,
+std::vector<WallSegment> findWallSegments(const std::vector<WallCell>& cells,
+                                          const std::vector<LineDirection>& directions,
                                           const WallSegmentRules& rules)
 {
     std::vector<WallSegment> segments;

@@ -18,7 +18,8 @@ struct WallEnd
     int sense;  // where the wall would go on, 1 or -1
 };
 
-/** Moves the end on through the obstacle as long as free space is beside it: through the jamb, not through a crossing wall. */
+/** Moves the end on through the obstacle as long as free space is beside it: through the jamb, not through a
+ * crossing wall. */
 bool findTip(const ClassifiedGrid& grid, const LineDirection& direction, int reach, int beside, WallEnd& end)
 {
     for (int k = 0; k <= reach; ++k) {
@@ -26,18 +27,21 @@ bool findTip(const ClassifiedGrid& grid, const LineDirection& direction, int rea
         end.step += end.sense;
         bool nearFree = false;
         for (int r = 1; r <= beside && !nearFree; ++r)
-            nearFree = grid.isFree(direction.cell(end.step, end.row + r)) || grid.isFree(direction.cell(end.step, end.row - r));
+            nearFree = grid.isFree(direction.cell(end.step, end.row + r)) ||
+                       grid.isFree(direction.cell(end.step, end.row - r));
         if (!nearFree) return false;
     }
     return false;
 }
 
 /** The free cells ahead of an end, up to the next obstacle; none when that is out of reach. */
-std::vector<Cell> freeAhead(const ClassifiedGrid& grid, const LineDirection& direction, const WallEnd& end, int limit)
+std::vector<Cell> freeAhead(const ClassifiedGrid& grid, const LineDirection& direction, const WallEnd& end,
+                            int limit)
 {
     std::vector<Cell> cells;
     int t = end.step + end.sense;
-    for (int k = 0; k < limit && grid.isFree(direction.cell(t, end.row)); ++k, t += end.sense) cells.push_back(direction.cell(t, end.row));
+    for (int k = 0; k < limit && grid.isFree(direction.cell(t, end.row)); ++k, t += end.sense)
+        cells.push_back(direction.cell(t, end.row));
     if (grid.isFree(direction.cell(t, end.row))) cells.clear();
     return cells;
 }
@@ -55,14 +59,15 @@ std::vector<Cell> freeBetween(const ClassifiedGrid& grid, Cell from, Cell to)
 }  // namespace
 
 std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
-                                      const std::vector<LineDirection>& directions, double maxLength_cells, double lateral_cells,
-                                      double skip_cells)
+                                      const std::vector<LineDirection>& directions, double maxLength_cells,
+                                      double lateral_cells, double skip_cells)
 {
     std::vector<WallEnd> ends;
     for (const WallSegment& s : segments) {
         const LineDirection& direction = directions[s.direction];
         const int reach = static_cast<int>(skip_cells / direction.stretch());
-        for (WallEnd end : {WallEnd{s.direction, s.begin, s.beginRow, -1}, WallEnd{s.direction, s.end, s.endRow, 1}})
+        for (WallEnd end :
+             {WallEnd{s.direction, s.begin, s.beginRow, -1}, WallEnd{s.direction, s.end, s.endRow, 1}})
             if (findTip(grid, direction, reach, 4, end)) ends.push_back(end);
     }
     std::map<std::pair<std::size_t, int>, std::vector<const WallEnd*>> byRow;
@@ -74,7 +79,9 @@ std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vec
         const int limit = static_cast<int>(maxLength_cells / direction.stretch());
         const WallEnd* best = nullptr;
         int bestGap = limit + 1;
-        for (auto at = byRow.lower_bound({end.direction, end.row - rows}); at != byRow.end() && at->first.first == end.direction && at->first.second <= end.row + rows; ++at)
+        for (auto at = byRow.lower_bound({end.direction, end.row - rows});
+             at != byRow.end() && at->first.first == end.direction && at->first.second <= end.row + rows;
+             ++at)
             for (const WallEnd* other : at->second) {
                 const int gap = (other->step - end.step) * end.sense;
                 if (other->sense == end.sense || gap <= 0 || gap >= bestGap) continue;
@@ -100,8 +107,8 @@ std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vec
     return cuts;
 }
 
-std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles, const std::vector<CriticalPoint>& points,
-                                       double maxLength_cells)
+std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles,
+                                       const std::vector<CriticalPoint>& points, double maxLength_cells)
 {
     std::vector<CandidateCut> cuts;
     for (const CriticalPoint& point : points) {
@@ -113,27 +120,14 @@ std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obs
         CandidateCut cut;
         cut.kind = CutKind::CriticalLine;
         cut.cells = lineCells(jambs->nearest, jambs->facing);
-        cut.cells.erase(std::remove_if(cut.cells.begin(), cut.cells.end(), [&](Cell c) { return !grid.isFree(c); }), cut.cells.end());
+        cut.cells.erase(
+            std::remove_if(cut.cells.begin(), cut.cells.end(), [&](Cell c) { return !grid.isFree(c); }),
+            cut.cells.end());
         if (cut.cells.empty()) continue;
         cut.direction = LineDirection(dx, dy);
         cut.row = cut.direction.row(cut.cells[cut.cells.size() / 2]);
         cuts.push_back(std::move(cut));
     }
     return cuts;
-}
-void adoptWalls(std::vector<CandidateCut>& criticalCuts, const std::vector<CandidateCut>& wallCuts, double near_cells, double maxAngle_rad)
-{
-    const double gate = std::cos(2 * maxAngle_rad);
-    for (CandidateCut& cut : criticalCuts) {
-        const Cell middle = cut.cells[cut.cells.size() / 2];
-        for (const CandidateCut& wall : wallCuts) {
-            const LineDirection& d = wall.direction;
-            if (d.doubleCos() * cut.direction.doubleCos() + d.doubleSin() * cut.direction.doubleSin() < gate) continue;
-            if (std::abs(d.row(middle) - wall.row) > near_cells * d.stretch()) continue;
-            const auto [low, high] = std::minmax(d.step(wall.cells.front()), d.step(wall.cells.back()));
-            if (d.step(middle) < low || d.step(middle) > high) continue;
-            if (cut.kind != CutKind::WallToWall) cut.kind = wall.kind;
-        }
-    }
 }
 }  // namespace gr2to

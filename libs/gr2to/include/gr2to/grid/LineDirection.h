@@ -8,18 +8,15 @@ namespace gr2to
 {
 /** A direction in the grid, as a family of parallel digital lines: every cell lies on exactly one of them.
  *
- * A line is a *row*; along it cells are counted in *steps* of one column (or one grid row, for directions nearer to the
- * vertical). For horizontal directions rows and steps are those of the grid.
+ * A line is a *row*; along it cells are counted in *steps* of one column (or one grid row, for directions
+ * nearer to the vertical). For horizontal directions rows and steps are those of the grid.
  */
 class LineDirection
 {
  public:
     LineDirection() = default;
     /** \param angle_rad  counter-clockwise from the grid's rows; half turns are the same direction */
-    explicit LineDirection(double angle_rad)
-        : LineDirection(std::cos(angle_rad), std::sin(angle_rad))
-    {
-    }
+    explicit LineDirection(double angle_rad) : LineDirection(std::cos(angle_rad), std::sin(angle_rad)) {}
     /** The direction of a vector that is not zero. */
     LineDirection(double dx, double dy)
         : m_alongColumns(std::abs(dx) >= std::abs(dy)),

@@ -18,14 +18,15 @@ struct WallCell
 
 /** Measures which way walls run, by the structure tensor of the free space.
  *
- * The gradient of the mask of free cells is squared (as a tensor) and averaged over a window of `window_cells`.
- * \return in raster order, the occupied cells within the window of the free space's rim
- * Cost: linear in the number of cells. Source: Bigun and Granlund, ICCV 1987.
+ * The gradient of the mask of free cells is squared (as a tensor) and averaged over a window of
+ * `window_cells`. \return in raster order, the occupied cells within the window of the free space's rim Cost:
+ * linear in the number of cells. Source: Bigun and Granlund, ICCV 1987.
  */
 std::vector<WallCell> measureWallOrientation(const ClassifiedGrid& grid, double window_cells);
 
 /** The directions in which most walls run: peaks of the histogram of orientations, the strongest first.
  * \param most  how many at most  \param least  part of the strongest that a direction has to have
  */
-std::vector<LineDirection> dominantDirections(const std::vector<WallCell>& cells, std::size_t most, double least);
+std::vector<LineDirection> dominantDirections(const std::vector<WallCell>& cells, std::size_t most,
+                                              double least);
 }  // namespace gr2to

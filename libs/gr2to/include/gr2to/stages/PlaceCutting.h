@@ -31,11 +31,12 @@ struct TCutOptions : OptionTable
     std::vector<OptionField> fields() override;
 };
 
-/** Fourth stage of the preset `default`: cuts the free space along the walls' lines and merges what no wall parts.
+/** Fourth stage of the preset `default`: cuts the free space along the walls' lines and merges what no wall
+ * parts.
  *
- * Candidate cuts are the extensions of walls beyond their ends and the critical lines of critical points. The faces between
- * them merge across cuts that are as long as the space beside them is wide: a border's *openness* on one side is its
- * length over the longest walk parallel to it on that side.
+ * Candidate cuts are the extensions of walls beyond their ends and the critical lines of critical points. The
+ * faces between them merge across cuts that are as long as the space beside them is wide: a border's
+ * *openness* on one side is its length over the longest walk parallel to it on that side.
  */
 class PlaceCutter
 {
@@ -44,12 +45,15 @@ class PlaceCutter
     explicit PlaceCutter(TCutOptions options);
 
     /** Where borders may run. */
-    std::vector<CandidateCut> candidates(const std::vector<WallSegment>& segments, const std::vector<LineDirection>& directions,
-                                         const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid, Obstacles obstacles) const;
+    std::vector<CandidateCut> candidates(const std::vector<WallSegment>& segments,
+                                         const std::vector<LineDirection>& directions,
+                                         const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid,
+                                         Obstacles obstacles) const;
 
     /** Places, their doors and openings. \param doors  how narrow and how wide a door is */
-    PlaceGraph build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
-                     const DistanceMap& distances, const TDoorOptions& doors) const;
+    PlaceGraph build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi,
+                     const ClassifiedGrid& grid, const DistanceMap& distances,
+                     const TDoorOptions& doors) const;
 
  private:
     TCutOptions m_options;

@@ -27,14 +27,13 @@ struct CandidateCut
     std::vector<Cell> cells;
 };
 
-/** Extends walls beyond their ends: towards the end of a wall that goes on in the same direction, else to the next obstacle. */
+/** Extends walls beyond their ends: towards the end of a wall that goes on in the same direction, else to the
+ * next obstacle. */
 std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
-                                      const std::vector<LineDirection>& directions, double maxLength_cells, double lateral_cells,
-                                      double skip_cells);
+                                      const std::vector<LineDirection>& directions, double maxLength_cells,
+                                      double lateral_cells, double skip_cells);
 
 /** The critical lines of critical points as narrow as that. */
-std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles, const std::vector<CriticalPoint>& points,
-                                       double maxLength_cells);
-/** Critical lines in the line of a wall's extension are that extension's kind: the same opening, seen twice. */
-void adoptWalls(std::vector<CandidateCut>& criticalCuts, const std::vector<CandidateCut>& wallCuts, double near_cells, double maxAngle_rad);
+std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles,
+                                       const std::vector<CriticalPoint>& points, double maxLength_cells);
 }  // namespace gr2to

@@ -1,27 +1,27 @@
 #pragma once
 
-#include <map>
 #include <vector>
 
+#include "gr2to/grid/DistanceMap.h"
 #include "gr2to/topology/CandidateCuts.h"
+#include "gr2to/topology/Openness.h"
 
 namespace gr2to
 {
+/** When a border is kept. Its openness towards a side is its length over the longest walk parallel to it on
+ * that side. */
 struct FaceMergingRules
 {
-    double resolution_m = 0.05;
-    double maxRatio = 0.8;
-    double maxSumRay = 1.0;
-    double maxSumWall = 1.1;
-    double maxSumCritical = 0.75;
-    double mouthRatio = 0.35;
-    double mouthContrast = 0.6;
-    double door_m = 0;
-    double minRadius_m = 0;
-    double minDepth_m = 0.15;
-    double maxDepth_m = 1.8;
-    double minFace_m2 = 0.3;
-    double minPlace_m2 = 2.0;
+    OpennessRules walks;
+    double maxSide = 0.9;         //!< largest openness towards either side
+    double maxSumRay = 1.2;       //!< largest sum over both sides, of a wall's extension
+    double maxSumWall = 1.5;      //!< of the line between two walls
+    double maxSumCritical = 0.9;  //!< of a critical line
+    double mouthOpenness = 0.35;  //!< or else: openness towards the larger region of a corridor's mouth ...
+    double mouthContrast = 0.6;   //!< ... and the smaller region's radius as a part of the larger one's
+    double minFace_cells = 120;   //!< smaller faces join a neighbour before all else
+    double minPlace_cells = 600;  //!< smaller regions join a neighbour in the end
+    double minRadius_cells = 10;  //!< so do narrower ones
 };
 
 /** A straight border between two regions. */
@@ -29,21 +29,25 @@ struct RegionBorder
 {
     int from = 0;  //!< smaller than `to`
     int to = 0;
-    Cell jambA, jambB;        //!< just beyond its ends
+    Cell jambA, jambB;  //!< the cells just beyond its ends
     Cell middle;
-    double length_cells = 0;  //!< of the free cells
+    double length_cells = 0;  //!< of its free cells
     std::vector<Cell> cells;
 };
 
-/** For each cell the region that it belongs to, from 1; 0 on cells that are not free. */
 struct Regions
 {
-    std::vector<RegionBorder> borders;
-    std::vector<int> ofCell;
+    std::vector<int> ofCell;  //!< from 1; 0 on cells that are not free
     int count = 0;
+    std::vector<RegionBorder> borders;  //!< what is left of the cuts, in their order
 };
 
-/** Cuts the free space, and takes back the cuts that part nothing. */
-Regions mergeFaces(const ClassifiedGrid& grid, const DistanceMap& distances, const std::vector<CandidateCut>& cuts,
-                   const FaceMergingRules& rules);
+/** Cuts the free space into faces and merges them across borders that are open to both sides, the most open
+ * first.
+ *
+ * Cost: linear in the number of cells, plus the walks beside each cut, plus O(B log B) for B borders of
+ * faces.
+ */
+Regions mergeFaces(const ClassifiedGrid& grid, const DistanceMap& distances,
+                   const std::vector<CandidateCut>& cuts, const FaceMergingRules& rules);
 }  // namespace gr2to
