@@ -9,81 +9,108 @@ namespace
 {
 constexpr double kPi = 3.14159265358979323846;
 
-/** The structure tensor's three sums, as an image. */
+constexpr int kLargestRadius = 12;      // sums of whole numbers then fit 32 bits
+constexpr double kLeastEnergy = 0.005;  // of the squared gradient across a straight rim: there is a rim near
+
+/** The structure tensor's three sums, as images of whole numbers: exact, whatever the order of adding. */
 struct Tensor
 {
-    std::vector<float> difference, mixed, energy;  // gx^2 - gy^2, 2 gx gy, gx^2 + gy^2
+    std::vector<std::int32_t> difference, mixed, energy;  // gx^2 - gy^2, 2 gx gy, gx^2 + gy^2
     explicit Tensor(std::size_t n) : difference(n), mixed(n), energy(n) {}
 };
 
-void gradients(const ClassifiedGrid& grid, Tensor& tensor)
+constexpr double kGradient = 48;  // what the filters below make of a straight rim
+
+/** Smoothed (1 4 6 4 1) and differentiated (-1 -2 0 2 1) along a row. */
+void filterRow(const CellState* cells, int width, std::vector<std::int16_t>& smooth,
+               std::vector<std::int16_t>& slope)
 {
-    const int w = grid.width(), h = grid.height();
-    constexpr std::array<int, 5> smooth{1, 4, 6, 4, 1}, derive{-1, -2, 0, 2, 1};
-    std::vector<std::uint8_t> free(grid.size());
-    for (std::size_t i = 0; i < grid.size(); ++i) free[i] = grid[i] == CellState::Free;
-    std::vector<std::int16_t> s(grid.size()), d(grid.size());
-    for (int y = 0; y < h; ++y)
-        for (int x = 2; x < w - 2; ++x) {
-            const std::size_t i = grid.index({x, y});
-            int a = 0, b = 0;
-            for (int k = -2; k <= 2; ++k) {
-                const int f = free[i + static_cast<std::size_t>(k + 2) - 2];
-                a += smooth[static_cast<std::size_t>(k + 2)] * f;
-                b += derive[static_cast<std::size_t>(k + 2)] * f;
-            }
-            s[i] = static_cast<std::int16_t>(a);
-            d[i] = static_cast<std::int16_t>(b);
-        }
-    for (int y = 2; y < h - 2; ++y)
-        for (int x = 2; x < w - 2; ++x) {
-            const std::size_t i = grid.index({x, y});
-            int gx = 0, gy = 0;
-            for (int k = -2; k <= 2; ++k) {
-                const std::size_t j = grid.index({x, y + k});
-                gx += smooth[static_cast<std::size_t>(k + 2)] * d[j];
-                gy += derive[static_cast<std::size_t>(k + 2)] * s[j];
-            }
-            const float fx = static_cast<float>(gx) / 48, fy = static_cast<float>(gy) / 48;
-            tensor.difference[i] = fx * fx - fy * fy;
-            tensor.mixed[i] = 2 * fx * fy;
-            tensor.energy[i] = fx * fx + fy * fy;
-        }
+    const auto free = [&](int x) { return static_cast<int>(cells[x] == CellState::Free); };
+    for (int x = 2; x < width - 2; ++x) {
+        const int a = free(x - 2), b = free(x - 1), c = free(x), d = free(x + 1), e = free(x + 2);
+        smooth[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(a + e + 4 * (b + d) + 6 * c);
+        slope[static_cast<std::size_t>(x)] = static_cast<std::int16_t>(e - a + 2 * (d - b));
+    }
 }
 
-void boxBlur(std::vector<float>& image, int w, int h, int radius)
+void squareGradients(const ClassifiedGrid& grid, Tensor& tensor)
 {
-    const float norm = 1.0F / static_cast<float>(2 * radius + 1);
-    std::vector<float> line(static_cast<std::size_t>(std::max(w, h)));
-    const auto pass = [&](std::size_t begin, std::size_t stride, int n) {
-        for (int k = 0; k < n; ++k)
-            line[static_cast<std::size_t>(k)] = image[begin + static_cast<std::size_t>(k) * stride];
-        float sum = 0;
-        for (int k = 0; k < std::min(radius, n); ++k) sum += line[static_cast<std::size_t>(k)];
-        for (int k = 0; k < n; ++k) {
-            if (k + radius < n) sum += line[static_cast<std::size_t>(k + radius)];
-            if (k - radius - 1 >= 0) sum -= line[static_cast<std::size_t>(k - radius - 1)];
-            image[begin + static_cast<std::size_t>(k) * stride] = sum * norm;
+    const auto width = static_cast<std::size_t>(grid.width());
+    std::vector<std::vector<std::int16_t>> smooth(5, std::vector<std::int16_t>(width)), slope = smooth;
+    for (int y = 0; y < grid.height(); ++y) {
+        filterRow(grid.row(y), grid.width(), smooth[static_cast<std::size_t>(y) % 5],
+                  slope[static_cast<std::size_t>(y) % 5]);
+        if (y < 4) continue;
+        const auto row = [&](std::vector<std::vector<std::int16_t>>& rows, int k) {
+            return rows[static_cast<std::size_t>(y - 4 + k) % 5].data();
+        };
+        const std::int16_t *s0 = row(smooth, 0), *s1 = row(smooth, 1), *s3 = row(smooth, 3),
+                           *s4 = row(smooth, 4);
+        const std::int16_t *d0 = row(slope, 0), *d1 = row(slope, 1), *d2 = row(slope, 2), *d3 = row(slope, 3),
+                           *d4 = row(slope, 4);
+        const std::size_t begin = grid.index({0, y - 2});
+        std::int32_t *difference = tensor.difference.data() + begin, *mixed = tensor.mixed.data() + begin,
+                     *energy = tensor.energy.data() + begin;
+        for (std::size_t x = 0; x < width; ++x) {
+            const std::int32_t gx = d0[x] + d4[x] + 4 * (d1[x] + d3[x]) + 6 * d2[x];
+            const std::int32_t gy = s4[x] - s0[x] + 2 * (s3[x] - s1[x]);
+            difference[x] = gx * gx - gy * gy;
+            mixed[x] = 2 * gx * gy;
+            energy[x] = gx * gx + gy * gy;
         }
-    };
-    for (int y = 0; y < h; ++y) pass(static_cast<std::size_t>(y) * static_cast<std::size_t>(w), 1, w);
-    for (int x = 0; x < w; ++x) pass(static_cast<std::size_t>(x), static_cast<std::size_t>(w), h);
+    }
+}
+
+/** Sums over square windows, those beyond the border cut off: along rows, then row by row over columns. */
+void sumBoxes(std::vector<std::int32_t>& image, int width, int height, int radius)
+{
+    const auto w = static_cast<std::size_t>(width);
+    const auto r = static_cast<std::size_t>(radius);
+    std::vector<std::int32_t> line(w + 2 * r + 2, 0);  // the row with zeros around: cell x is at x + r + 1
+    for (int y = 0; y < height; ++y) {
+        std::int32_t* row = image.data() + static_cast<std::size_t>(y) * w;
+        std::copy(row, row + w, line.begin() + radius + 1);
+        std::int32_t sum = 0;
+        for (std::size_t k = 0; k < r; ++k) sum += line[r + 1 + k];
+        for (std::size_t x = 0; x < w; ++x) {
+            sum += line[x + 2 * r + 1] - line[x];
+            row[x] = sum;
+        }
+    }
+    std::vector<std::int32_t> result(image.size()), sums(w, 0);
+    for (int y = -radius; y < height; ++y) {
+        if (y + radius < height) {
+            const std::int32_t* in = image.data() + static_cast<std::size_t>(y + radius) * w;
+            for (std::size_t x = 0; x < w; ++x) sums[x] += in[x];
+        }
+        if (y - radius - 1 >= 0) {
+            const std::int32_t* out = image.data() + static_cast<std::size_t>(y - radius - 1) * w;
+            for (std::size_t x = 0; x < w; ++x) sums[x] -= out[x];
+        }
+        if (y >= 0)
+            std::copy(sums.begin(), sums.end(),
+                      result.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(y) * w));
+    }
+    image.swap(result);
 }
 }  // namespace
 
 std::vector<WallCell> measureWallOrientation(const ClassifiedGrid& grid, double window_cells)
 {
     Tensor tensor(grid.size());
-    gradients(grid, tensor);
-    const int radius = std::max(1, static_cast<int>(std::lround(window_cells)));
+    squareGradients(grid, tensor);
+    const int radius = std::clamp(static_cast<int>(std::lround(window_cells)), 1, kLargestRadius);
     for (auto* image : {&tensor.difference, &tensor.mixed, &tensor.energy})
-        for (int pass = 0; pass < 2; ++pass) boxBlur(*image, grid.width(), grid.height(), radius);
+        for (int pass = 0; pass < 2; ++pass) sumBoxes(*image, grid.width(), grid.height(), radius);
+    const double straight = kGradient * kGradient * std::pow(2 * radius + 1, 4);
     std::vector<WallCell> cells;
     for (std::size_t i = 0; i < grid.size(); ++i) {
-        if (grid[i] != CellState::Occupied || tensor.energy[i] < 0.005F) continue;
-        const float e = tensor.energy[i];
+        if (grid[i] != CellState::Occupied || tensor.energy[i] < kLeastEnergy * straight) continue;
+        const auto energy = static_cast<float>(tensor.energy[i]);
         // Gradients point across the wall: a quarter turn, which is half a turn of the double angle.
-        cells.push_back({grid.cell(i), -tensor.difference[i] / e, -tensor.mixed[i] / e, e});
+        cells.push_back({grid.cell(i), -static_cast<float>(tensor.difference[i]) / energy,
+                         -static_cast<float>(tensor.mixed[i]) / energy,
+                         static_cast<float>(tensor.energy[i] / straight)});
     }
     return cells;
 }
