@@ -177,9 +177,14 @@ PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
             front.push_back(grid.cell(voronoi.cells[k]));
         }
     spread(grid, image, std::move(front));
+    fillUnlabelled(grid, image);
+    return image;
+}
+
+void fillUnlabelled(const ClassifiedGrid& grid, PlaceImage& image)
+{
     const std::vector<std::size_t> unlabelled = unlabelledCells(grid, image);
     spread(grid, image, rimOfLabels(grid, image, unlabelled));
     PatchFiller(grid, image).fill(unlabelled);
-    return image;
 }
 }  // namespace gr2to

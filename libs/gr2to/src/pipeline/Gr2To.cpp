@@ -98,8 +98,14 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
     Extraction e;
     Clock clock(e.reports);
 
-    FilteredGrid filtered = GridFilter(m_options.filter).filter(input);
+    if (m_options.cut.along_walls) {
+        e.walls = WallExtractor(m_options.wall).extract(input);
+        clock.report("walls", {{"directions", e.walls.directions.size()}, {"segments", e.walls.segments.size()}},
+                     bytesOf(e.walls.segments));
+    }
+    FilteredGrid filtered = GridFilter(m_options.filter).filter(input, e.walls.segments, e.walls.directions);
     e.grid = std::move(filtered.grid);
+    e.walls.dropRemoved(e.grid);
     const ClassifiedGrid& grid = e.grid;
     clock.report("filter", {{"blobs", filtered.blobs}, {"cells", filtered.cells}}, grid.size());
 
@@ -115,9 +121,16 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
                  bytesOf(e.voronoi));
 
     e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
-    std::vector<ValidatedDoor> doors =
-        builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights);
-    e.graph = builder.build(std::move(doors), e.voronoi, grid, obstacles, e.distances, heights);
+    if (m_options.cut.along_walls) {
+        const PlaceCutter cutter(m_options.cut);
+        e.graph = cutter.build(
+            cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
+            e.voronoi, grid, e.distances, m_options.door);
+        builder.lookForLintels(e.graph, grid, heights);
+    } else
+        e.graph = builder.build(
+            builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights), e.voronoi, grid,
+            obstacles, e.distances, heights);
     clock.report("place construction",
                  {{"critical points", e.criticalPoints.size()},
                   {"circles", e.graph.circles.size()},

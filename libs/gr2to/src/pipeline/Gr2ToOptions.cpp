@@ -23,6 +23,7 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
     Gr2ToOptions options;
     if (name == "paper") {
         options.compression.furniture_height = 0;
+        options.cut.along_walls = false;
         options.filter.max_blob_area = 0;
         options.distance.unknown_is_obstacle =
             false;  // "the euclidean distance to the nearest occupied cell"
@@ -40,7 +41,7 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
 
 std::vector<OptionTable*> Gr2ToOptions::tables()
 {
-    return {&compression, &filter, &distance, &door, &voronoi, &place, &delimitation};
+    return {&compression, &wall, &filter, &distance, &door, &voronoi, &place, &cut, &delimitation};
 }
 
 void Gr2ToOptions::set(const std::string& key, const std::string& value)

@@ -30,7 +30,9 @@ std::vector<OptionField> TFilterOptions::fields()
 {
     return {{"max_blob_area", &max_blob_area, "m2",
              "Free-standing obstacles smaller than this are removed before anything else; 0 keeps all.", 0,
-             100}};
+             100},
+            {"min_wall", &min_wall, "m",
+             "A free-standing obstacle with a straight stretch of at least this is a piece of wall and stays.", 0, 100}};
 }
 
 GridFilter::GridFilter(TFilterOptions options) : m_options(std::move(options))
@@ -38,7 +40,8 @@ GridFilter::GridFilter(TFilterOptions options) : m_options(std::move(options))
     m_options.check();
 }
 
-FilteredGrid GridFilter::filter(const ClassifiedGrid& grid) const
+FilteredGrid GridFilter::filter(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
+                                const std::vector<LineDirection>& directions) const
 {
     FilteredGrid result{grid, 0, 0};
     const double cellArea = grid.resolution_m() * grid.resolution_m();
@@ -47,9 +50,13 @@ FilteredGrid GridFilter::filter(const ClassifiedGrid& grid) const
               [&](std::size_t i) { return grid[i] != CellState::Free; });
     const std::vector<std::size_t> sizes =
         sizesOfRegions(runs, static_cast<std::size_t>(grid.width()), grid.size());
+    std::vector<bool> isWall(sizes.size(), false);
+    for (const WallSegment& s : segments)
+        if ((s.end - s.begin + 1) * directions[s.direction].stretch() * grid.resolution_m() >= m_options.min_wall)
+            isWall[runs.root(runs.find(grid.index(s.cell)))] = true;
     for (std::size_t r = 0; r < sizes.size(); ++r) {
         const std::size_t size = sizes[runs.root(r)];
-        if (size >= kTooLarge || static_cast<double>(size) * cellArea >= m_options.max_blob_area) continue;
+        if (isWall[runs.root(r)] || size >= kTooLarge || static_cast<double>(size) * cellArea >= m_options.max_blob_area) continue;
         const Runs::Run& run = runs.runs()[r];
         for (std::size_t i = run.begin; i < run.end; ++i) result.grid[i] = CellState::Free;
         result.cells += run.end - run.begin;

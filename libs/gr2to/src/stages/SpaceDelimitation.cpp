@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "gr2to/base/errors.h"
 #include "gr2to/grid/Partition.h"
@@ -71,8 +72,11 @@ class MapMaker
  private:
     void draftPlaces()
     {
-        const std::vector<std::size_t> groupOf = mergeCorridors(
-            m_graph, m_options.corridor_radius_tolerance, m_options.corridor_angle_tolerance * kPi / 180);
+        std::vector<std::size_t> groupOf(m_graph.circles.size());
+        std::iota(groupOf.begin(), groupOf.end(), std::size_t{0});
+        if (m_graph.regions.ids.empty())
+            groupOf = mergeCorridors(m_graph, m_options.corridor_radius_tolerance,
+                                     m_options.corridor_angle_tolerance * kPi / 180);
         std::vector<std::vector<std::size_t>> members(m_graph.circles.size());
         for (std::size_t c = 0; c < groupOf.size(); ++c) members[groupOf[c]].push_back(c);
         for (auto& circles : members) {
@@ -101,6 +105,21 @@ class MapMaker
 
     void partitionCells()
     {
+        m_result.places = m_graph.regions.ids.empty() ? alongDiagram() : fromRegions();
+        countCells();
+    }
+
+    PlaceImage fromRegions() const
+    {
+        PlaceImage places = m_graph.regions;
+        for (PlaceId& id : places.ids)
+            if (id != 0) id = m_idOfCircle[static_cast<std::size_t>(id) - 1];
+        fillUnlabelled(m_grid, places);
+        return places;
+    }
+
+    PlaceImage alongDiagram()
+    {
         std::vector<PlaceId> placeOfCell(m_voronoi.cells.size(), 0);
         for (std::size_t k = 0; k < placeOfCell.size(); ++k)
             if (const int circle = m_graph.circleOfCell[k]; circle >= 0)
@@ -108,7 +127,11 @@ class MapMaker
         for (const PlaceBorder& border : m_graph.borders)
             if (m_idOfCircle[border.from] != m_idOfCircle[border.to])
                 m_borders.insert(m_borders.end(), border.line.begin(), border.line.end());
-        m_result.places = partition(m_grid, m_voronoi, placeOfCell, m_borders);
+        return partition(m_grid, m_voronoi, placeOfCell, m_borders);
+    }
+
+    void countCells()
+    {
         m_cellsOfPlace.assign(m_drafts.size() + 1, 0);
         const std::vector<PlaceId>& ids = m_result.places.ids;
         for (auto begin = ids.begin(); begin != ids.end();) {

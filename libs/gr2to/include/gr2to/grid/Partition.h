@@ -19,4 +19,8 @@ namespace gr2to
  */
 PlaceImage partition(const ClassifiedGrid& grid, const VoronoiGraph& voronoi,
                      const std::vector<PlaceId>& placeOfCell, const std::vector<Cell>& borders);
+
+/** Gives the free cells that have no place yet one: labels spread from those that have, then the nearest
+ * counts. Cost: linear in the number of cells. */
+void fillUnlabelled(const ClassifiedGrid& grid, PlaceImage& image);
 }  // namespace gr2to

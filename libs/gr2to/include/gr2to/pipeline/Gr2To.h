@@ -8,8 +8,10 @@
 #include "gr2to/stages/GridCompression.h"
 #include "gr2to/stages/GridFiltering.h"
 #include "gr2to/stages/PlaceConstruction.h"
+#include "gr2to/stages/PlaceCutting.h"
 #include "gr2to/stages/SpaceDelimitation.h"
 #include "gr2to/stages/VoronoiExtraction.h"
+#include "gr2to/stages/WallExtraction.h"
 
 namespace gr2to
 {
@@ -25,11 +27,13 @@ struct TDistanceOptions : OptionTable
 struct Gr2ToOptions
 {
     TCompressionOptions compression;
+    TWallOptions wall;
     TFilterOptions filter;
     TDistanceOptions distance;
     TDoorOptions door;
     TVoronoiOptions voronoi;
     TPlaceOptions place;
+    TCutOptions cut;
     TDelimitationOptions delimitation;
 
     /** Names of the presets, the default one first. */
@@ -63,6 +67,7 @@ struct StageReport
 struct Extraction
 {
     ClassifiedGrid grid;  //!< after the filter: the cells that all else speaks of
+    WallLines walls;  //!< empty unless places are cut along them
     DistanceMap distances;
     std::vector<DoorCandidate> doorCandidates;
     VoronoiGraph voronoi;

@@ -2,12 +2,14 @@
 
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/grid/WallSegments.h"
 
 namespace gr2to
 {
 struct TFilterOptions : OptionTable
 {
-    double max_blob_area = 0.3;
+    double max_blob_area = 1;
+    double min_wall = 0.8;
 
     std::string section() const override { return "filter"; }
     std::vector<OptionField> fields() override;
@@ -33,8 +35,11 @@ class GridFilter
     /** \throws std::invalid_argument  an option is out of range */
     explicit GridFilter(TFilterOptions options);
 
-    /** Cost: one pass over the cells. */
-    FilteredGrid filter(const ClassifiedGrid& grid) const;
+    /** \param segments  straight walls: a blob that holds one of `min_wall` or more stays, being a piece of wall
+     * \param directions  that the segments run in
+     * Cost: one pass over the cells. */
+    FilteredGrid filter(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments = {},
+                        const std::vector<LineDirection>& directions = {}) const;
 
  private:
     TFilterOptions m_options;

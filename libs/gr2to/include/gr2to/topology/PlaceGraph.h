@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gr2to/grid/Circles.h"
+#include "gr2to/grid/PlaceImage.h"
 #include "gr2to/grid/VoronoiGraph.h"
 
 namespace gr2to
@@ -56,6 +57,9 @@ struct PlaceGraph
     /** For each of VoronoiGraph::cells the circle that it belongs to, or -1: on closed doors and in pockets
      * too small. */
     std::vector<int> circleOfCell;
+    /** For each cell of the grid one more than the circle that it belongs to, 0 for none yet. Empty when circles
+     * are to be told apart by the diagram alone. */
+    PlaceImage regions;
 };
 
 /** Length of the longest closed door, from jamb to jamb over its critical point [cells]; 0 without doors. */

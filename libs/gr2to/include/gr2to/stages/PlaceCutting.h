@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "gr2to/base/OptionTable.h"
+#include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/VoronoiGraph.h"
+#include "gr2to/stages/DoorDetection.h"
+#include "gr2to/topology/CandidateCuts.h"
+#include "gr2to/topology/PlaceGraph.h"
+
+namespace gr2to
+{
+struct TCutOptions : OptionTable
+{
+    bool along_walls = true;
+    double max_extension = 7;
+    double max_offset = 0.15;
+    double max_critical_line = 3.5;
+    double max_openness_walls = 1.5;
+    double max_openness_wall = 1.2;
+    double max_openness_critical = 0.9;
+    double max_openness_side = 0.9;
+    double mouth_openness = 0.35;
+    double mouth_contrast = 0.6;
+    double max_depth = 1.8;
+    double min_area = 1.5;
+    double min_radius = 0.5;
+
+    std::string section() const override { return "cut"; }
+    std::vector<OptionField> fields() override;
+};
+
+/** Fourth stage of the preset `default`: cuts the free space along the walls' lines and merges what no wall
+ * parts.
+ *
+ * Candidate cuts are the extensions of walls beyond their ends and the critical lines of critical points. The
+ * faces between them merge across cuts that are as long as the space beside them is wide: a border's
+ * *openness* on one side is its length over the longest walk parallel to it on that side.
+ */
+class PlaceCutter
+{
+ public:
+    /** \throws std::invalid_argument  an option is out of range */
+    explicit PlaceCutter(TCutOptions options);
+
+    /** Where borders may run. */
+    std::vector<CandidateCut> candidates(const std::vector<WallSegment>& segments,
+                                         const std::vector<LineDirection>& directions,
+                                         const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid,
+                                         Obstacles obstacles) const;
+
+    /** Places, their doors and openings. \param doors  how narrow and how wide a door is */
+    PlaceGraph build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi,
+                     const ClassifiedGrid& grid, const DistanceMap& distances,
+                     const TDoorOptions& doors) const;
+
+ private:
+    TCutOptions m_options;
+};
+}  // namespace gr2to

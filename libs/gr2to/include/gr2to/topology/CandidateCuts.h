@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/VoronoiGraph.h"
+#include "gr2to/grid/WallSegments.h"
+
+namespace gr2to
+{
+/** Where a border between places may run. */
+enum class CutKind : std::uint8_t
+{
+    WallRay,      //!< from the end of a wall on along the wall
+    WallToWall,   //!< from the end of a wall to the end of one that continues it
+    CriticalLine  //!< from jamb to jamb across a critical point
+};
+
+/** A line of free cells, 8-connected, from obstacle to obstacle. */
+struct CandidateCut
+{
+    CutKind kind = CutKind::WallRay;
+    LineDirection direction;
+    int row = 0;  //!< of the cut's middle
+    std::vector<Cell> cells;
+};
+
+/** Extends walls beyond their ends: towards the end of a wall that goes on in the same direction, else to the
+ * next obstacle. */
+std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
+                                      const std::vector<LineDirection>& directions, double maxLength_cells,
+                                      double lateral_cells, double skip_cells);
+
+/** The critical lines of critical points as narrow as that. */
+std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles,
+                                       const std::vector<CriticalPoint>& points, double maxLength_cells);
+}  // namespace gr2to

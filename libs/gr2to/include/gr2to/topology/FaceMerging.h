@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "gr2to/grid/DistanceMap.h"
+#include "gr2to/topology/CandidateCuts.h"
+#include "gr2to/topology/Openness.h"
+
+namespace gr2to
+{
+/** When a border is kept. Its openness towards a side is its length over the longest walk parallel to it on
+ * that side. */
+struct FaceMergingRules
+{
+    OpennessRules walks;
+    double maxSide = 0.9;         //!< largest openness towards either side
+    double maxSumRay = 1.2;       //!< largest sum over both sides, of a wall's extension
+    double maxSumWall = 1.5;      //!< of the line between two walls
+    double maxSumCritical = 0.9;  //!< of a critical line
+    double mouthOpenness = 0.35;  //!< or else: openness towards the larger region of a corridor's mouth ...
+    double mouthContrast = 0.6;   //!< ... and the smaller region's radius as a part of the larger one's
+    double minFace_cells = 120;   //!< smaller faces join a neighbour before all else
+    double minPlace_cells = 600;  //!< smaller regions join a neighbour in the end
+    double minRadius_cells = 10;  //!< so do narrower ones
+};
+
+/** A straight border between two regions. */
+struct RegionBorder
+{
+    int from = 0;  //!< smaller than `to`
+    int to = 0;
+    Cell jambA, jambB;  //!< the cells just beyond its ends
+    Cell middle;
+    double length_cells = 0;  //!< of its free cells
+    std::vector<Cell> cells;
+};
+
+struct Regions
+{
+    std::vector<int> ofCell;  //!< from 1; 0 on cells that are not free
+    int count = 0;
+    std::vector<RegionBorder> borders;  //!< what is left of the cuts, in their order
+};
+
+/** Cuts the free space into faces and merges them across borders that are open to both sides, the most open
+ * first.
+ *
+ * Cost: linear in the number of cells, plus the walks beside each cut, plus O(B log B) for B borders of
+ * faces.
+ */
+Regions mergeFaces(const ClassifiedGrid& grid, const DistanceMap& distances,
+                   const std::vector<CandidateCut>& cuts, const FaceMergingRules& rules);
+}  // namespace gr2to

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "gr2to/topology/FaceMerging.h"
+#include "gr2to/topology/PlaceGraph.h"
+
+namespace gr2to
+{
+struct RegionGraphRules
+{
+    double minDoor_cells = 10;
+    double maxDoor_cells = 30;
+    double minArea_cells = 600;
+    double minRadius_cells = 10;
+};
+
+/** Places, doors and openings of regions and their borders.
+ *
+ * A place is a region that is large enough, or has a border; its circle is the region's largest. A border as
+ * wide as a door is a door, a wider one an opening; narrower ones connect nothing. \throws OutputError  more
+ * places than PlaceId can number
+ */
+PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, const DistanceMap& distances,
+                          const RegionGraphRules& rules);
+}  // namespace gr2to
