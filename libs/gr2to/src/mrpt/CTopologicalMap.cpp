@@ -11,9 +11,6 @@
 
 namespace gr2to
 {
-using mrpt::maps::CMetricMap;
-using mrpt::maps::COccupancyGridMap2D;
-
 CTopologicalMap::CTopologicalMap() : m_grid(-1.0f, 1.0f, -1.0f, 1.0f, 0.05f) {}
 
 CTopologicalMap::CTopologicalMap(TopologicalMap map) : CTopologicalMap()
@@ -72,7 +69,8 @@ void CTopologicalMap::getVisualizationInto(mrpt::opengl::CSetOfObjects& objects)
     if (genericMapParams.enableSaveAs3DObject) objects.insert(drawMap(map()));
 }
 
-void CTopologicalMap::determineMatching2D(const CMetricMap* other, const mrpt::poses::CPose2D& otherPose,
+void CTopologicalMap::determineMatching2D(const mrpt::maps::CMetricMap* other,
+                                          const mrpt::poses::CPose2D& otherPose,
                                           mrpt::tfest::TMatchingPairList& pairs,
                                           const mrpt::maps::TMatchingParams& params,
                                           mrpt::maps::TMatchingExtraResults& results) const
@@ -80,7 +78,7 @@ void CTopologicalMap::determineMatching2D(const CMetricMap* other, const mrpt::p
     m_grid.determineMatching2D(other, otherPose, pairs, params, results);
 }
 
-float CTopologicalMap::compute3DMatchingRatio(const CMetricMap*, const mrpt::poses::CPose3D&,
+float CTopologicalMap::compute3DMatchingRatio(const mrpt::maps::CMetricMap*, const mrpt::poses::CPose3D&,
                                               const mrpt::maps::TMatchingRatioParams&) const
 {
     return 0;

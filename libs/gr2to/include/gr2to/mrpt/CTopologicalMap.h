@@ -58,7 +58,7 @@ class CTopologicalMap : public mrpt::maps::CMetricMap
      * \throws OutputError, InputError  a file cannot be written
      */
     void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
-    /** Draws places, walls, doors and, 3 m above the floor, the graph. */
+    /** Draws places, walls, doors and, above them, the graph. */
     void getVisualizationInto(mrpt::opengl::CSetOfObjects& objects) const override;
     void determineMatching2D(const CMetricMap* other, const mrpt::poses::CPose2D& otherPose,
                              mrpt::tfest::TMatchingPairList& pairs, const mrpt::maps::TMatchingParams& params,
