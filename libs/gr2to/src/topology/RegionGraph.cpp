@@ -93,7 +93,7 @@ std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders, dou
     for (const RegionBorder& border : borders) {
         if (!kept.empty() && (kept[first].from != border.from || kept[first].to != border.to))
             first = kept.size();
-        constexpr double slack_cells = 4;
+        const double slack_cells = 0.5 * minDoor_cells;  // about as thick as walls are
         const auto beside = std::find_if(
             kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end(), [&](const RegionBorder& other) {
                 return distance_cells(other.middle, border.middle) <=
