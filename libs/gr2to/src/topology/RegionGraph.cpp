@@ -1,6 +1,7 @@
 #include "gr2to/topology/RegionGraph.h"
 
 #include <algorithm>
+#include <array>
 
 #include "gr2to/base/errors.h"
 
@@ -65,8 +66,22 @@ std::vector<int> choosePlaces(const std::vector<Measures>& measures, const Regio
     return number;
 }
 
-/** Of borders between the same places that lie side by side the longest. */
-std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders)
+/** Lengthens a border to the far ends of another one beside it: one opening that two cuts share. */
+void lengthen(RegionBorder& border, const RegionBorder& other)
+{
+    const std::array<Cell, 4> ends{border.jambA, border.jambB, other.jambA, other.jambB};
+    for (const Cell a : ends)
+        for (const Cell b : ends)
+            if (const double length = distance_cells(a, b) - 1; length > border.length_cells) {
+                border.length_cells = length;
+                border.jambA = a;
+                border.jambB = b;
+            }
+}
+
+/** Borders between the same places that lie side by side are one: the longest, lengthened when too short for
+ * a door. */
+std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders, double minDoor_cells)
 {
     std::stable_sort(borders.begin(), borders.end(), [](const RegionBorder& a, const RegionBorder& b) {
         if (a.from != b.from) return a.from < b.from;
@@ -78,12 +93,16 @@ std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders)
     for (const RegionBorder& border : borders) {
         if (!kept.empty() && (kept[first].from != border.from || kept[first].to != border.to))
             first = kept.size();
-        const bool beside = std::any_of(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end(),
-                                        [&](const RegionBorder& other) {
-                                            return distance_cells(other.middle, border.middle) <=
-                                                   0.5 * (other.length_cells + border.length_cells) + 4;
-                                        });
-        if (!beside) kept.push_back(border);
+        const double slack_cells = 0.5 * minDoor_cells;  // about as thick as walls are
+        const auto beside = std::find_if(
+            kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end(), [&](const RegionBorder& other) {
+                return distance_cells(other.middle, border.middle) <=
+                       0.5 * (other.length_cells + border.length_cells) + slack_cells;
+            });
+        if (beside == kept.end())
+            kept.push_back(border);
+        else if (beside->length_cells < minDoor_cells)
+            lengthen(*beside, border);
     }
     return kept;
 }
@@ -124,7 +143,7 @@ PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, c
                           static_cast<int>(measures[r].center / width)};
         graph.circles.push_back({center, std::sqrt(static_cast<double>(measures[r].squaredRadius))});
     }
-    for (const RegionBorder& border : separateBorders(regions.borders))
+    for (const RegionBorder& border : separateBorders(regions.borders, rules.minDoor_cells))
         addLink(border, number, distances, rules, graph);
     std::sort(graph.links.begin(), graph.links.end(), [](const PlaceLink& a, const PlaceLink& b) {
         if (a.from != b.from) return a.from < b.from;
