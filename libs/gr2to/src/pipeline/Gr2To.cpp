@@ -68,7 +68,8 @@ Extraction Gr2To::extract(const ClassifiedGrid& input) const
 
     if (m_options.cut.along_walls) {
         e.walls = WallExtractor(m_options.wall).extract(input);
-        clock.report("walls", {{"directions", e.walls.directions.size()}, {"segments", e.walls.segments.size()}},
+        clock.report("walls",
+                     {{"directions", e.walls.directions.size()}, {"segments", e.walls.segments.size()}},
                      bytesOf(e.walls.segments));
     }
     FilteredGrid filtered = GridFilter(m_options.filter).filter(input, e.walls.segments, e.walls.directions);
@@ -91,11 +92,12 @@ Extraction Gr2To::extract(const ClassifiedGrid& input) const
     e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
     if (m_options.cut.along_walls) {
         const PlaceCutter cutter(m_options.cut);
-        e.graph = cutter.build(cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
-                               e.voronoi, grid, e.distances, m_options.door);
+        e.graph = cutter.build(
+            cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
+            e.voronoi, grid, e.distances, m_options.door.min_width, m_options.door.max_width);
     } else
-        e.graph = builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles), e.voronoi, grid, obstacles,
-                                e.distances);
+        e.graph = builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles),
+                                e.voronoi, grid, obstacles, e.distances);
     clock.report("place construction",
                  {{"critical points", e.criticalPoints.size()},
                   {"circles", e.graph.circles.size()},
