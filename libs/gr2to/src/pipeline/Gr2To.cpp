@@ -94,13 +94,16 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
         throw InputError("the grid has no occupied cell: nothing delimits a place");
     const Obstacles obstacles =
         m_options.distance.unknown_is_obstacle ? Obstacles::OccupiedOrUnknown : Obstacles::Occupied;
+    // The walls of a 3D map are faces one voxel thick with the unknown behind them: too little to find lines.
+    const bool alongWalls = m_options.cut.along_walls && heights.empty();
     const PlaceBuilder builder(m_options.place);
     Extraction e;
     Clock clock(e.reports);
 
-    if (m_options.cut.along_walls) {
+    if (alongWalls) {
         e.walls = WallExtractor(m_options.wall).extract(input);
-        clock.report("walls", {{"directions", e.walls.directions.size()}, {"segments", e.walls.segments.size()}},
+        clock.report("walls",
+                     {{"directions", e.walls.directions.size()}, {"segments", e.walls.segments.size()}},
                      bytesOf(e.walls.segments));
     }
     FilteredGrid filtered = GridFilter(m_options.filter).filter(input, e.walls.segments, e.walls.directions);
@@ -121,16 +124,15 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
                  bytesOf(e.voronoi));
 
     e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
-    if (m_options.cut.along_walls) {
+    if (alongWalls) {
         const PlaceCutter cutter(m_options.cut);
         e.graph = cutter.build(
             cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
-            e.voronoi, grid, e.distances, m_options.door);
-        builder.lookForLintels(e.graph, grid, heights);
+            e.voronoi, grid, e.distances, m_options.door.min_width, m_options.door.max_width);
     } else
-        e.graph = builder.build(
-            builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights), e.voronoi, grid,
-            obstacles, e.distances, heights);
+        e.graph =
+            builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights),
+                          e.voronoi, grid, obstacles, e.distances, heights);
     clock.report("place construction",
                  {{"critical points", e.criticalPoints.size()},
                   {"circles", e.graph.circles.size()},

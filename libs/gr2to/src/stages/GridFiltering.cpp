@@ -28,11 +28,12 @@ std::vector<std::size_t> sizesOfRegions(Runs& runs, std::size_t width, std::size
 
 std::vector<OptionField> TFilterOptions::fields()
 {
-    return {{"max_blob_area", &max_blob_area, "m2",
-             "Free-standing obstacles smaller than this are removed before anything else; 0 keeps all.", 0,
-             100},
-            {"min_wall", &min_wall, "m",
-             "A free-standing obstacle with a straight stretch of at least this is a piece of wall and stays.", 0, 100}};
+    return {
+        {"max_blob_area", &max_blob_area, "m2",
+         "Free-standing obstacles smaller than this are removed before anything else; 0 keeps all.", 0, 100},
+        {"min_wall", &min_wall, "m",
+         "A free-standing obstacle with a straight stretch of at least this is a piece of wall and stays.", 0,
+         100}};
 }
 
 GridFilter::GridFilter(TFilterOptions options) : m_options(std::move(options))
@@ -52,11 +53,14 @@ FilteredGrid GridFilter::filter(const ClassifiedGrid& grid, const std::vector<Wa
         sizesOfRegions(runs, static_cast<std::size_t>(grid.width()), grid.size());
     std::vector<bool> isWall(sizes.size(), false);
     for (const WallSegment& s : segments)
-        if ((s.end - s.begin + 1) * directions[s.direction].stretch() * grid.resolution_m() >= m_options.min_wall)
+        if ((s.end - s.begin + 1) * directions[s.direction].stretch() * grid.resolution_m() >=
+            m_options.min_wall)
             isWall[runs.root(runs.find(grid.index(s.cell)))] = true;
     for (std::size_t r = 0; r < sizes.size(); ++r) {
         const std::size_t size = sizes[runs.root(r)];
-        if (isWall[runs.root(r)] || size >= kTooLarge || static_cast<double>(size) * cellArea >= m_options.max_blob_area) continue;
+        if (isWall[runs.root(r)] || size >= kTooLarge ||
+            static_cast<double>(size) * cellArea >= m_options.max_blob_area)
+            continue;
         const Runs::Run& run = runs.runs()[r];
         for (std::size_t i = run.begin; i < run.end; ++i) result.grid[i] = CellState::Free;
         result.cells += run.end - run.begin;

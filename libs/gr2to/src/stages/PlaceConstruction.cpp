@@ -248,12 +248,4 @@ PlaceGraph PlaceBuilder::build(std::vector<ValidatedDoor> doors, const VoronoiGr
     if (rule.maxWidth > 0) makeNarrowOpeningsDoors(grid, obstacles, heights, rule, graph);
     return graph;
 }
-
-void PlaceBuilder::lookForLintels(PlaceGraph& graph, const ClassifiedGrid& grid,
-                                  const HeightMap& heights) const
-{
-    if (heights.empty()) return;
-    for (ValidatedDoor& door : graph.doors)
-        lookForLintel(grid, heights, m_options.lintel_width / grid.resolution_m(), door);
-}
 }  // namespace gr2to

@@ -64,8 +64,8 @@ std::vector<CandidateCut> PlaceCutter::candidates(const std::vector<WallSegment>
 }
 
 PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi,
-                              const ClassifiedGrid& grid, const DistanceMap& distances,
-                              const TDoorOptions& doors) const
+                              const ClassifiedGrid& grid, const DistanceMap& distances, double minDoor_m,
+                              double maxDoor_m) const
 {
     const double resolution = grid.resolution_m(), cell_m2 = resolution * resolution;
     FaceMergingRules rules;
@@ -81,8 +81,8 @@ PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts, const Voron
     rules.minRadius_cells = m_options.min_radius / resolution;
     const Regions regions = mergeFaces(grid, distances, cuts, rules);
     RegionGraphRules graphRules;
-    graphRules.minDoor_cells = doors.min_width / resolution;
-    graphRules.maxDoor_cells = doors.max_width / resolution;
+    graphRules.minDoor_cells = minDoor_m / resolution;
+    graphRules.maxDoor_cells = maxDoor_m / resolution;
     graphRules.minArea_cells = rules.minPlace_cells;
     graphRules.minRadius_cells = rules.minRadius_cells;
     return graphOfRegions(regions, voronoi, distances, graphRules);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "gr2to/base/errors.h"
 #include "gr2to/grid/Partition.h"
@@ -73,7 +72,7 @@ class MapMaker
     void draftPlaces()
     {
         std::vector<std::size_t> groupOf(m_graph.circles.size());
-        std::iota(groupOf.begin(), groupOf.end(), std::size_t{0});
+        for (std::size_t c = 0; c < groupOf.size(); ++c) groupOf[c] = c;
         if (m_graph.regions.ids.empty())
             groupOf = mergeCorridors(m_graph, m_options.corridor_radius_tolerance,
                                      m_options.corridor_angle_tolerance * kPi / 180);
@@ -87,11 +86,9 @@ class MapMaker
             m_drafts.push_back({circles, 0});
         }
         if (m_drafts.size() >= 0xFFFF)
-            throw OutputError(
-                "the map has " + std::to_string(m_drafts.size()) +
-                " places; at most 65534 can be numbered: raise place.min_radius or cut the map");
-        // Circles are in raster order, so sorting by the largest circle's index puts the places in raster
-        // order.
+            throw OutputError("the map has " + std::to_string(m_drafts.size()) +
+                              " places; at most 65534 can be numbered: cut the map");
+        // Circles are in raster order: sorted by the index of their largest circle, so are the places.
         std::sort(m_drafts.begin(), m_drafts.end(), [](const PlaceDraft& a, const PlaceDraft& b) {
             return a.circles.front() < b.circles.front();
         });
@@ -285,8 +282,7 @@ std::vector<OptionField> TDelimitationOptions::fields()
              0, 90},
             {"corridor_elongation", &corridor_elongation, "ratio",
              "A place is a corridor when its area is at least this many squares of its largest circle's "
-             "diameter; 0: only "
-             "merged circles are.",
+             "diameter; 0: only merged circles are.",
              0, 100}};
 }
 

@@ -1,7 +1,6 @@
 #include "gr2to/topology/FaceMerging.h"
 
 #include <algorithm>
-#include <cstdint>
 #include <map>
 #include <numeric>
 #include <queue>

@@ -67,7 +67,7 @@ struct StageReport
 struct Extraction
 {
     ClassifiedGrid grid;  //!< after the filter: the cells that all else speaks of
-    WallLines walls;  //!< empty unless places are cut along them
+    WallLines walls;      //!< empty unless places are cut along them
     DistanceMap distances;
     std::vector<DoorCandidate> doorCandidates;
     VoronoiGraph voronoi;

@@ -35,9 +35,8 @@ class GridFilter
     /** \throws std::invalid_argument  an option is out of range */
     explicit GridFilter(TFilterOptions options);
 
-    /** \param segments  straight walls: a blob that holds one of `min_wall` or more stays, being a piece of wall
-     * \param directions  that the segments run in
-     * Cost: one pass over the cells. */
+    /** \param segments  straight walls: a blob that holds one of `min_wall` or more stays, being a piece of
+     * wall \param directions  that the segments run in Cost: one pass over the cells. */
     FilteredGrid filter(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments = {},
                         const std::vector<LineDirection>& directions = {}) const;
 

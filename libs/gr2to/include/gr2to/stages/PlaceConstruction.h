@@ -64,9 +64,6 @@ class PlaceBuilder
                      const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
                      const HeightMap& heights = {}) const;
 
-    /** Notes on a graph's doors which of them a 3D map shows under a lintel no wider than `lintel_width`. */
-    void lookForLintels(PlaceGraph& graph, const ClassifiedGrid& grid, const HeightMap& heights) const;
-
  private:
     TPlaceOptions m_options;
 };

@@ -5,7 +5,6 @@
 #include "gr2to/base/OptionTable.h"
 #include "gr2to/grid/DistanceMap.h"
 #include "gr2to/grid/VoronoiGraph.h"
-#include "gr2to/stages/DoorDetection.h"
 #include "gr2to/topology/CandidateCuts.h"
 #include "gr2to/topology/PlaceGraph.h"
 
@@ -50,10 +49,10 @@ class PlaceCutter
                                          const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid,
                                          Obstacles obstacles) const;
 
-    /** Places, their doors and openings. \param doors  how narrow and how wide a door is */
+    /** Places, their doors and openings. \param minDoor_m, maxDoor_m  how narrow and how wide a door is */
     PlaceGraph build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi,
-                     const ClassifiedGrid& grid, const DistanceMap& distances,
-                     const TDoorOptions& doors) const;
+                     const ClassifiedGrid& grid, const DistanceMap& distances, double minDoor_m,
+                     double maxDoor_m) const;
 
  private:
     TCutOptions m_options;

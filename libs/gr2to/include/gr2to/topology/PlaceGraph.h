@@ -57,8 +57,8 @@ struct PlaceGraph
     /** For each of VoronoiGraph::cells the circle that it belongs to, or -1: on closed doors and in pockets
      * too small. */
     std::vector<int> circleOfCell;
-    /** For each cell of the grid one more than the circle that it belongs to, 0 for none yet. Empty when circles
-     * are to be told apart by the diagram alone. */
+    /** For each cell of the grid one more than the circle that it belongs to, 0 for none yet. Empty when
+     * circles are to be told apart by the diagram alone. */
     PlaceImage regions;
 };
 
