@@ -70,7 +70,8 @@ TEST(Gr2To, gridsWithoutFreeOrOccupiedCellsAreRefused)
     EXPECT_THAT(complaint(CellState::Occupied), HasSubstr("no free cell"));
     EXPECT_THAT(complaint(CellState::Unknown), HasSubstr("no free cell"));
     EXPECT_THAT(complaint(CellState::Free), HasSubstr("no occupied cell"));
-    EXPECT_THAT(test::messageOf<InputError>([] { Gr2To().extract({}); }), HasSubstr("no free cell"));
+    EXPECT_THAT(test::messageOf<InputError>([] { Gr2To().extract(ClassifiedGrid{}); }),
+                HasSubstr("no free cell"));
 }
 
 TEST(Gr2To, gridsTooNarrowForAPlaceGiveAnEmptyMap)

@@ -113,7 +113,7 @@ TEST(MetricMap, extractsOnlyWhenAskedAndOnlyAgainAfterAChange)
     EXPECT_EQ(&map->map().place(1), place) << "the same object, not made anew";
     EXPECT_TRUE(map->map().connections().at(0).doorway.real);
     Gr2ToOptions options = map->options();
-    options.set("door.max_width", "0.8");
+    options.set("door.max_width", "0.7");
     options.set("place.narrow_opening", "0");
     map->setOptions(options);
     EXPECT_FALSE(map->map().connections().at(0).doorway.real) << "an opening of 0.9 m is no door now";

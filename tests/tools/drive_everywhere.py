@@ -14,7 +14,7 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-RADIUS_M = 0.25
+RADIUS_M = 0.2
 
 
 def reachable(root, start):

@@ -100,7 +100,7 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
     Extraction e;
     Clock clock(e.reports);
 
-    if (alongWalls) {
+    if (m_options.cut.along_walls) {  // the filter keeps what touches walls
         e.walls = WallExtractor(m_options.wall).extract(input);
         clock.report("walls",
                      {{"directions", e.walls.directions.size()}, {"segments", e.walls.segments.size()}},
