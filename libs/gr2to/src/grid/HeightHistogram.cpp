@@ -75,7 +75,7 @@ HeightHistogram heightHistogram(const VoxelBoxes& voxels, const VoxelBounds& bou
         if (!box.occupied) continue;
         const std::int64_t base = std::int64_t{1} << (2 * box.log2Side);
         change[box.z] += base;
-        change[static_cast<std::size_t>(box.z + box.side())] -= base;
+        change[static_cast<std::size_t>(box.z) + static_cast<std::size_t>(box.side())] -= base;
     }
     HeightHistogram histogram;
     histogram.firstLayer = bounds.firstZ;
