@@ -229,6 +229,7 @@ std::vector<ValidatedDoor> PlaceBuilder::validate(const std::vector<DoorCandidat
     if (!heights.empty())
         for (const int p : separateFrom(points, doors, maxLintel / 2)) make(p, true);
     std::vector<ValidatedDoor> result;
+    result.reserve(doors.size());
     for (auto& [p, door] : doors) result.push_back(std::move(door));
     return result;
 }
