@@ -96,7 +96,7 @@ Vector2d directionOf(const Scene& scene, const Connection& connection, const Vec
 bool leavesPlace(const Scene& scene, PlaceId id, const Vector2d& door, const Vector2d& center)
 {
     const double length = (center - door).norm();
-    for (double s = kStub_m / scene.input.grid.resolution_m(); s < length; s += 1) {
+    for (int s = static_cast<int>(kStub_m / scene.input.grid.resolution_m()); s < length; ++s) {
         const Vector2d p = door + (center - door) * (s / length);
         const Cell c{static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y()))};
         if (!scene.input.grid.contains(c) || scene.input.places.at(c) != id) return true;
