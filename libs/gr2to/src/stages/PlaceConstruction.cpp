@@ -15,11 +15,6 @@ namespace gr2to
 {
 namespace
 {
-bool rasterLess(Cell a, Cell b)
-{
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 /** Finds the critical points that support door candidates, through square buckets of points. */
 class SupportFinder
 {

@@ -6,15 +6,6 @@
 
 namespace gr2to
 {
-namespace
-{
-bool rasterLess(Cell a, Cell b)
-{
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
-}  // namespace
-
 DiagramDivider::DiagramDivider(std::vector<ValidatedDoor> doors, const VoronoiGraph& voronoi,
                                const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
                                double minRadius_cells, MeetingRule meeting)

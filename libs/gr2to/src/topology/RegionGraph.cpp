@@ -9,11 +9,6 @@ namespace gr2to
 {
 namespace
 {
-bool rasterLess(Cell a, Cell b)
-{
-    return a.y != b.y ? a.y < b.y : a.x < b.x;
-}
-
 /** What makes a region a place. */
 struct Measures
 {

@@ -24,6 +24,12 @@ struct Cell
     friend bool operator!=(const Cell& a, const Cell& b) { return !(a == b); }
 };
 
+/** The order of cells row by row from the lowest, each from the left. */
+inline bool rasterLess(Cell a, Cell b)
+{
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+}
+
 /** Where a grid lies in the map frame: metres, x right, y up, square cells.
  *
  * The origin is the map-frame position of the bottom-left *corner* of cell (0, 0); yaw turns the grid about
