@@ -46,11 +46,21 @@ def key_of(command, files, settings):
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def check(build, cache, source, key):
+def without_precompiled_headers(build, cache):
+    """A compilation database like the build's, in a folder of its own, without g++'s precompiled headers, which clang cannot read."""
+    text = (build / "compile_commands.json").read_text()
+    database = cache / "commands"
+    database.mkdir(exist_ok=True)
+    text = re.sub(r" -Winvalid-pch| -include [^ ]*cmake_pch\.hxx| -fpch-preprocess", "", text)
+    (database / "compile_commands.json").write_text(text)
+    return database, json.loads(text)
+
+
+def check(database, cache, source, key):
     """(source, output of a failed check or None); a clean source is remembered."""
     if key and (cache / key).exists():
         return source, None
-    done = subprocess.run(["clang-tidy", "-quiet", "-p", str(build), source], capture_output=True, text=True, check=False)
+    done = subprocess.run(["clang-tidy", "-quiet", "-p", str(database), source], capture_output=True, text=True, check=False)
     if done.returncode != 0:
         return source, done.stdout + (done.stderr if not done.stdout else "")
     if key:
@@ -68,8 +78,9 @@ def main():
     settings = "".join([version] + [p.read_text() for p in sorted(project.rglob(".clang-tidy")) if build not in p.parents])
     includes = includes_by_output(build)
     own = re.compile(re.escape(str(project)) + "/(" + "|".join(FOLDERS) + ")/")
+    database, commands = without_precompiled_headers(build, cache)
     work = []
-    for entry in json.loads((build / "compile_commands.json").read_text()):
+    for entry in commands:
         if own.match(entry["file"]):
             output = re.search(r" -o (\S+)", entry["command"]).group(1)
             work.append((entry["file"], key_of(entry["command"], includes.get(output), settings)))
@@ -79,7 +90,7 @@ def main():
     print(f"{len(work)} sources, {known} of them clean when last checked", flush=True)
     failed = 0
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for source, output in pool.map(lambda w: check(build, cache, *w), work):
+        for source, output in pool.map(lambda w: check(database, cache, *w), work):
             if output is not None:
                 failed += 1
                 print(f"{os.path.relpath(source, project)}:\n{output}", flush=True)
