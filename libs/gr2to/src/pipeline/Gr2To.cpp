@@ -128,7 +128,8 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
         const PlaceCutter cutter(m_options.cut);
         e.graph = cutter.build(
             cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
-            e.voronoi, grid, e.distances, m_options.door.min_width, m_options.door.max_width);
+            e.walls.directions, e.voronoi, grid, e.distances, m_options.door.min_width,
+            m_options.door.max_width);
     } else
         e.graph =
             builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights),

@@ -1,5 +1,7 @@
 #include "gr2to/stages/GridFiltering.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "gr2to/grid/Runs.h"
@@ -24,6 +26,23 @@ std::vector<std::size_t> sizesOfRegions(Runs& runs, std::size_t width, std::size
     }
     return sizes;
 }
+
+/** Whether a straight stretch is as thin as a wall for half of its length or more. */
+bool isThin(const ClassifiedGrid& grid, const LineDirection& direction, const WallSegment& s,
+            double most_cells)
+{
+    const int most = static_cast<int>(most_cells * direction.stretch());  // rows
+    int thin = 0;
+    for (int step = s.begin; step <= s.end; ++step) {
+        const double part = static_cast<double>(step - s.begin) / std::max(1, s.end - s.begin);
+        const int row = s.beginRow + static_cast<int>(std::lround(part * (s.endRow - s.beginRow)));
+        int up = 0, down = 0;
+        while (up <= most && !grid.isFree(direction.cell(step, row + up))) ++up;
+        while (down <= most && !grid.isFree(direction.cell(step, row - down))) ++down;
+        thin += up + down - 1 <= most ? 1 : 0;
+    }
+    return 2 * thin >= s.end - s.begin + 1;
+}
 }  // namespace
 
 std::vector<OptionField> TFilterOptions::fields()
@@ -32,8 +51,11 @@ std::vector<OptionField> TFilterOptions::fields()
         {"max_blob_area", &max_blob_area, "m2",
          "Free-standing obstacles smaller than this are removed before anything else; 0 keeps all.", 0, 100},
         {"min_wall", &min_wall, "m",
-         "A free-standing obstacle with a straight stretch of at least this is a piece of wall and stays.", 0,
-         100}};
+         "A free-standing obstacle with a straight, thin stretch of at least this is a piece of wall and "
+         "stays.",
+         0, 100},
+        {"max_wall_thickness", &max_wall_thickness, "m",
+         "A straight stretch that is thicker than this is furniture or a pillar, no wall.", 0, 10}};
 }
 
 GridFilter::GridFilter(TFilterOptions options) : m_options(std::move(options))
@@ -54,7 +76,8 @@ FilteredGrid GridFilter::filter(const ClassifiedGrid& grid, const std::vector<Wa
     std::vector<bool> isWall(sizes.size(), false);
     for (const WallSegment& s : segments)
         if ((s.end - s.begin + 1) * directions[s.direction].stretch() * grid.resolution_m() >=
-            m_options.min_wall)
+                m_options.min_wall &&
+            isThin(grid, directions[s.direction], s, m_options.max_wall_thickness / grid.resolution_m()))
             isWall[runs.root(runs.find(grid.index(s.cell)))] = true;
     for (std::size_t r = 0; r < sizes.size(); ++r) {
         const std::size_t size = sizes[runs.root(r)];

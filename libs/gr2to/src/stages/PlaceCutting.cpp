@@ -7,7 +7,10 @@ namespace gr2to
 {
 namespace
 {
-constexpr double kThickestJamb_m = 0.1;  // obstacle between a wall's fitted end and the free space ahead
+constexpr double kThickestJamb_m = 0.3;  // obstacle between a wall's fitted end and the free space ahead
+constexpr double kThickestFin_m = 0.35;  // wall that stands between two places
+constexpr double kLongestFin_m = 1;      // seen whole, a wall is one
+constexpr double kSolid_m = 0.4;         // more than walls are thick: furniture
 constexpr double kWalks_m = 0.15;        // distance between the walks beside a border
 constexpr double kLongestWalk_m = 20;    // beyond a border's ends: the space is wide enough then
 constexpr double kSmallestFace_m2 =
@@ -23,19 +26,13 @@ std::vector<OptionField> TCutOptions::fields()
          "Longest way from the end of a wall to the next obstacle ahead.", 0, 100},
         {"max_offset", &max_offset, "m", "Walls on one line deviate sideways by at most this.", 0, 5},
         {"max_critical_line", &max_critical_line, "m", "Longest critical line that may be a border.", 0, 100},
-        {"max_openness_walls", &max_openness_walls, "ratio",
-         "Most open border between two walls on one line; openness is the border's length over the width of "
-         "the space beside "
-         "it, summed over both sides.",
-         0, 2},
-        {"max_openness_wall", &max_openness_wall, "ratio", "Most open border from the end of one wall.", 0,
-         2},
-        {"max_openness_critical", &max_openness_critical, "ratio", "Most open border on a critical line.", 0,
-         2},
-        {"max_openness_side", &max_openness_side, "ratio", "Most open border towards either side.", 0, 1},
+        {"min_evidence", &min_evidence, "nat",
+         "Least evidence for a border between places, as log odds; higher merges more.", -20, 20},
         {"mouth_openness", &mouth_openness, "ratio",
-         "A place may be fully open to a larger one whose side is at most this open: a corridor's mouth.", 0,
-         1},
+         "A border that is at most this open towards a wider place may be a corridor's mouth; openness is "
+         "its "
+         "length over the width of the space beside it.",
+         0, 1},
         {"mouth_contrast", &mouth_contrast, "ratio",
          "Largest part of the larger one's radius that the place at a mouth has.", 0, 1},
         {"max_depth", &max_depth, "m", "How far from a border the width of the space beside it is measured.",
@@ -60,22 +57,22 @@ std::vector<CandidateCut> PlaceCutter::candidates(const std::vector<WallSegment>
                     m_options.max_offset / resolution, kThickestJamb_m / resolution);
     for (CandidateCut& cut : criticalCuts(grid, obstacles, points, m_options.max_critical_line / resolution))
         cuts.push_back(std::move(cut));
+    const CutEndRules ends{kThickestFin_m / resolution, kLongestFin_m / resolution, kSolid_m / resolution};
+    for (CandidateCut& cut : cuts) cut.ends = examineEnds(grid, cut.direction, cut.cells, ends);
     return cuts;
 }
 
-PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi,
+PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts,
+                              const std::vector<LineDirection>& directions, const VoronoiGraph& voronoi,
                               const ClassifiedGrid& grid, const DistanceMap& distances, double minDoor_m,
                               double maxDoor_m) const
 {
     const double resolution = grid.resolution_m(), cell_m2 = resolution * resolution;
     FaceMergingRules rules;
     rules.walks = {kWalks_m / resolution, m_options.max_depth / resolution, kLongestWalk_m / resolution};
-    rules.maxSide = m_options.max_openness_side;
-    rules.maxSumRay = m_options.max_openness_wall;
-    rules.maxSumWall = m_options.max_openness_walls;
-    rules.maxSumCritical = m_options.max_openness_critical;
-    rules.mouthOpenness = m_options.mouth_openness;
-    rules.mouthContrast = m_options.mouth_contrast;
+    rules.mouth = {m_options.mouth_openness, m_options.mouth_contrast};
+    rules.directions = directions;
+    rules.minEvidence = m_options.min_evidence;
     rules.minFace_cells = kSmallestFace_m2 / cell_m2;
     rules.minPlace_cells = m_options.min_area / cell_m2;
     rules.minRadius_cells = m_options.min_radius / resolution;

@@ -2,60 +2,15 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <queue>
 #include <tuple>
+
+#include "gr2to/topology/RegionSets.h"
 
 namespace gr2to
 {
 namespace
 {
-/** Faces merged to regions; a region is named by one of its faces. */
-class RegionSets
-{
- public:
-    RegionSets(const FaceMap& faces, const DistanceMap& distances)
-        : m_parent(static_cast<std::size_t>(faces.count()) + 1),
-          m_cells(m_parent.size()),
-          m_squaredRadius(m_parent.size())
-    {
-        std::iota(m_parent.begin(), m_parent.end(), 0);
-        const std::vector<int>& ofCell = faces.ofCell();
-        for (std::size_t i = 0; i < ofCell.size(); ++i) {
-            if (ofCell[i] == 0) continue;
-            const auto f = static_cast<std::size_t>(ofCell[i]);
-            ++m_cells[f];
-            m_squaredRadius[f] = std::max(m_squaredRadius[f], distances.squared[i]);
-        }
-    }
-
-    int size() const { return static_cast<int>(m_parent.size()); }
-    int find(int face)
-    {
-        auto f = static_cast<std::size_t>(face);
-        while (m_parent[f] != static_cast<int>(f))
-            f = static_cast<std::size_t>(m_parent[f] = m_parent[static_cast<std::size_t>(m_parent[f])]);
-        return static_cast<int>(f);
-    }
-    void join(int region, int other)
-    {
-        const auto a = static_cast<std::size_t>(region), b = static_cast<std::size_t>(other);
-        m_parent[b] = region;
-        m_cells[a] += m_cells[b];
-        m_squaredRadius[a] = std::max(m_squaredRadius[a], m_squaredRadius[b]);
-    }
-    std::int64_t cells(int region) const { return m_cells[static_cast<std::size_t>(region)]; }
-    double radius_cells(int region) const
-    {
-        return std::sqrt(static_cast<double>(m_squaredRadius[static_cast<std::size_t>(region)]));
-    }
-
- private:
-    std::vector<int> m_parent;
-    std::vector<std::int64_t> m_cells;
-    std::vector<std::int32_t> m_squaredRadius;
-};
-
 /** A piece of a cut between two faces. */
 struct CutPiece : FaceMap::Piece
 {
@@ -70,7 +25,8 @@ class Merger
         : m_cuts(cuts),
           m_rules(rules),
           m_faces(grid, cuts),
-          m_sets(m_faces, distances),
+          m_resolution_m(grid.resolution_m()),
+          m_sets(m_faces, distances, rules.directions),
           m_piecesOf(static_cast<std::size_t>(m_sets.size()))
     {
         m_surroundings.reserve(cuts.size());
@@ -87,9 +43,9 @@ class Merger
     Regions merge()
     {
         mergeSmall(m_rules.minFace_cells, 0);
-        mergeOpen();
+        mergeWeak();
         mergeSmall(m_rules.minPlace_cells, m_rules.minRadius_cells);
-        mergeOpen();
+        mergeWeak();
         Regions regions;
         regions.ofCell.resize(m_faces.ofCell().size());
         std::vector<int> number(static_cast<std::size_t>(m_sets.size()), 0);
@@ -131,11 +87,11 @@ class Merger
         using Entry = std::pair<std::int64_t, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
         for (int f = 1; f < m_sets.size(); ++f)
-            if (m_sets.find(f) == f && isSmall(f)) queue.push({m_sets.cells(f), f});
+            if (m_sets.isRegion(f) && isSmall(f)) queue.push({m_sets.cells(f), f});
         while (!queue.empty()) {
             const auto [cells, region] = queue.top();
             queue.pop();
-            if (m_sets.find(region) != region || m_sets.cells(region) != cells) continue;
+            if (!m_sets.isRegion(region) || m_sets.cells(region) != cells) continue;
             int closest = 0;
             double longest = 0;
             for (const auto& [other, pieces] : neighboursOf(region)) {
@@ -152,26 +108,27 @@ class Merger
         }
     }
 
-    /** Merges across open borders, the most open first; whatever changed is measured anew. */
-    void mergeOpen()
+    /** Merges across borders with too little evidence, the weakest first; whatever changed is measured anew.
+     */
+    void mergeWeak()
     {
-        using Entry = std::tuple<double, int, int, int, int>;  // openness, regions and their versions
+        using Entry = std::tuple<double, int, int, int, int>;  // lack of evidence, regions, their versions
         std::priority_queue<Entry> queue;
         std::vector<int> version(static_cast<std::size_t>(m_sets.size()), 0);
         const auto versionOf = [&](int region) -> int& { return version[static_cast<std::size_t>(region)]; };
         const auto push = [&](int a, int b, const std::vector<std::size_t>& pieces) {
-            if (const double openness = opennessIfOpen(a, b, pieces); openness > 0)
-                queue.push({openness, -a, -b, versionOf(a), versionOf(b)});
+            const double lack = m_rules.minEvidence - borderEvidence(measure(a, b, pieces), m_rules.mouth);
+            if (lack > 0) queue.push({lack, -a, -b, versionOf(a), versionOf(b)});
         };
         for (int f = 1; f < m_sets.size(); ++f)
-            if (m_sets.find(f) == f)
+            if (m_sets.isRegion(f))
                 for (const auto& [other, pieces] : neighboursOf(f))
                     if (f < other) push(f, other, pieces);
         while (!queue.empty()) {
-            const auto [openness, minusA, minusB, versionA, versionB] = queue.top();
+            const auto [lack, minusA, minusB, versionA, versionB] = queue.top();
             queue.pop();
             const int a = -minusA, b = -minusB;
-            if (m_sets.find(a) != a || m_sets.find(b) != b || versionOf(a) != versionA ||
+            if (!m_sets.isRegion(a) || !m_sets.isRegion(b) || versionOf(a) != versionA ||
                 versionOf(b) != versionB)
                 continue;
             const int merged = unite(a, b);
@@ -200,51 +157,74 @@ class Merger
     /** The part of a border that lies on one cut. */
     struct CutPart
     {
+        std::size_t cut = 0;
+        bool aIsAbove = false;
         int length = 0, begin = INT32_MAX, end = INT32_MIN;  // steps
+        double length_cells = 0;
     };
 
-    /** Largest openness of the cuts along a border that are open; 0 when none is. Short parts of a border do
-     * not count. */
-    double opennessIfOpen(int a, int b, const std::vector<std::size_t>& pieces)
+    /** The longest straight part of a border between two regions, and the length of all of it. */
+    CutPart longestPart(int a, const std::vector<std::size_t>& pieces, double& total_cells)
     {
-        std::map<std::pair<std::size_t, bool>, CutPart> parts;  // by cut, and whether a is above
-        double longest = 0;
+        std::map<std::pair<std::size_t, bool>, CutPart> parts;
+        CutPart longest;
+        total_cells = 0;
         for (const std::size_t p : pieces) {
             const CutPiece& piece = m_pieces[p];
-            CutPart& part = parts[{piece.cut, m_sets.find(piece.above) == a}];
+            const bool aIsAbove = m_sets.find(piece.above) == a;
+            CutPart& part = parts[{piece.cut, aIsAbove}];
+            part.cut = piece.cut;
+            part.aIsAbove = aIsAbove;
             part.length += piece.end - piece.begin;
             part.begin = std::min(part.begin, piece.begin);
             part.end = std::max(part.end, piece.end);
-            longest = std::max(longest, part.length * m_cuts[piece.cut].direction.stretch());
+            part.length_cells = part.length * m_cuts[piece.cut].direction.stretch();
+            total_cells += length_cells(piece);
+            if (part.length_cells > longest.length_cells) longest = part;
         }
-        double openness = 0;
-        for (const auto& [key, part] : parts) {
-            const auto& [cut, aIsAbove] = key;
-            if (part.length * m_cuts[cut].direction.stretch() < 0.5 * longest) continue;
-            const double towardsA = opennessTowards(a, cut, aIsAbove, part),
-                         towardsB = opennessTowards(b, cut, !aIsAbove, part);
-            if (isOpen(m_cuts[cut].kind, towardsA, towardsB, m_sets.radius_cells(a), m_sets.radius_cells(b)))
-                openness = std::max(openness, towardsA + towardsB);
-        }
-        return openness;
+        return longest;
     }
 
-    double opennessTowards(int region, std::size_t cut, bool above, const CutPart& part)
+    BorderMeasures measure(int a, int b, const std::vector<std::size_t>& pieces)
     {
-        const int walk = m_surroundings[cut].longestWalk(
+        BorderMeasures border;
+        double total_cells = 0;
+        const CutPart part = longestPart(a, pieces, total_cells);
+        border.length_m = part.length_cells * m_resolution_m;
+        border.total_m = total_cells * m_resolution_m;
+        measureEnds(part, border);
+        border.smaller = sideOf(a, part, part.aIsAbove);
+        border.larger = sideOf(b, part, !part.aIsAbove);
+        if (m_sets.cells(a) > m_sets.cells(b)) std::swap(border.smaller, border.larger);
+        border.unionRectangularity = m_sets.rectangularity(a, b);
+        return border;
+    }
+
+    BorderSide sideOf(int region, const CutPart& part, bool above)
+    {
+        BorderSide side;
+        const int walk = m_surroundings[part.cut].longestWalk(
             above, part.begin, part.end, [&](int face) { return m_sets.find(face) == region; });
-        return static_cast<double>(part.length) / std::max(part.length, walk);
+        side.openness = static_cast<double>(part.length) / std::max(part.length, walk);
+        side.area_m2 = static_cast<double>(m_sets.cells(region)) * m_resolution_m * m_resolution_m;
+        side.radius_m = m_sets.radius_cells(region) * m_resolution_m;
+        side.rectangularity = m_sets.rectangularity(region);
+        return side;
     }
 
-    bool isOpen(CutKind kind, double towardsA, double towardsB, double radiusA, double radiusB) const
+    /** What stands at the ends of a part of a border: nothing of it where the part ends at another cut. */
+    void measureEnds(const CutPart& part, BorderMeasures& border) const
     {
-        const double maxSum = kind == CutKind::WallRay      ? m_rules.maxSumRay
-                              : kind == CutKind::WallToWall ? m_rules.maxSumWall
-                                                            : m_rules.maxSumCritical;
-        if (std::max(towardsA, towardsB) <= m_rules.maxSide && towardsA + towardsB <= maxSum) return false;
-        const bool isMouth = std::min(towardsA, towardsB) <= m_rules.mouthOpenness &&
-                             std::min(radiusA, radiusB) <= m_rules.mouthContrast * std::max(radiusA, radiusB);
-        return !isMouth;
+        constexpr int slack =
+            3;  // steps: cells of a cut next to its ends may have the same face on both sides
+        const CandidateCut& cut = m_cuts[part.cut];
+        const auto [first, last] =
+            std::minmax({cut.direction.step(cut.cells.front()), cut.direction.step(cut.cells.back())});
+        const CutEnd low = part.begin <= first + slack ? cut.ends[0] : CutEnd();
+        const CutEnd high = part.end > last - slack ? cut.ends[1] : CutEnd();
+        border.shorterFin_m = std::min(low.fin_cells, high.fin_cells) * m_resolution_m;
+        border.longerFin_m = std::max(low.fin_cells, high.fin_cells) * m_resolution_m;
+        border.solidEnd = low.solid || high.solid;
     }
 
     /** Pieces of a cut that go on between the same two regions are one border. */
@@ -285,6 +265,7 @@ class Merger
     const std::vector<CandidateCut>& m_cuts;
     FaceMergingRules m_rules;
     FaceMap m_faces;
+    double m_resolution_m;
     RegionSets m_sets;
     std::vector<CutSurroundings> m_surroundings;       // of each cut
     std::vector<CutPiece> m_pieces;                    // in the order of cuts and steps

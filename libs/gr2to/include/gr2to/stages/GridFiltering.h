@@ -8,8 +8,9 @@ namespace gr2to
 {
 struct TFilterOptions : OptionTable
 {
-    double max_blob_area = 1;
+    double max_blob_area = 2;
     double min_wall = 0.8;
+    double max_wall_thickness = 0.4;
 
     std::string section() const override { return "filter"; }
     std::vector<OptionField> fields() override;

@@ -13,13 +13,10 @@ namespace gr2to
 struct TCutOptions : OptionTable
 {
     bool along_walls = true;
-    double max_extension = 7;
+    double max_extension = 10;
     double max_offset = 0.15;
     double max_critical_line = 3.5;
-    double max_openness_walls = 1.5;
-    double max_openness_wall = 1.2;
-    double max_openness_critical = 0.9;
-    double max_openness_side = 0.9;
+    double min_evidence = 0;
     double mouth_openness = 0.35;
     double mouth_contrast = 0.6;
     double max_depth = 1.8;
@@ -34,7 +31,7 @@ struct TCutOptions : OptionTable
  * parts.
  *
  * Candidate cuts are the extensions of walls beyond their ends and the critical lines of critical points. The
- * faces between them merge across cuts that are as long as the space beside them is wide: a border's
+ * faces between them merge across borders that little speaks for, as borderEvidence() weighs it; a border's
  * *openness* on one side is its length over the longest walk parallel to it on that side.
  */
 class PlaceCutter
@@ -49,10 +46,11 @@ class PlaceCutter
                                          const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid,
                                          Obstacles obstacles) const;
 
-    /** Places, their doors and openings. \param minDoor_m, maxDoor_m  how narrow and how wide a door is */
-    PlaceGraph build(const std::vector<CandidateCut>& cuts, const VoronoiGraph& voronoi,
-                     const ClassifiedGrid& grid, const DistanceMap& distances, double minDoor_m,
-                     double maxDoor_m) const;
+    /** Places, their doors and openings. \param directions  that the walls run in
+     * \param minDoor_m, maxDoor_m  how narrow and how wide a door is */
+    PlaceGraph build(const std::vector<CandidateCut>& cuts, const std::vector<LineDirection>& directions,
+                     const VoronoiGraph& voronoi, const ClassifiedGrid& grid, const DistanceMap& distances,
+                     double minDoor_m, double maxDoor_m) const;
 
  private:
     TCutOptions m_options;

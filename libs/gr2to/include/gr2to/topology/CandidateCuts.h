@@ -7,6 +7,7 @@
 #include "gr2to/grid/DistanceMap.h"
 #include "gr2to/grid/VoronoiGraph.h"
 #include "gr2to/grid/WallSegments.h"
+#include "gr2to/topology/CutEnds.h"
 
 namespace gr2to
 {
@@ -25,6 +26,7 @@ struct CandidateCut
     LineDirection direction;
     int row = 0;  //!< of the cut's middle
     std::vector<Cell> cells;
+    std::array<CutEnd, 2> ends;  //!< at the lowest step, and at the highest
 };
 
 /** Extends walls beyond their ends: towards the end of a wall that goes on in the same direction, else to the

@@ -3,25 +3,22 @@
 #include <vector>
 
 #include "gr2to/grid/DistanceMap.h"
+#include "gr2to/topology/BorderEvidence.h"
 #include "gr2to/topology/CandidateCuts.h"
 #include "gr2to/topology/Openness.h"
 
 namespace gr2to
 {
-/** When a border is kept. Its openness towards a side is its length over the longest walk parallel to it on
- * that side. */
+/** When a border is kept. */
 struct FaceMergingRules
 {
     OpennessRules walks;
-    double maxSide = 0.9;         //!< largest openness towards either side
-    double maxSumRay = 1.2;       //!< largest sum over both sides, of a wall's extension
-    double maxSumWall = 1.5;      //!< of the line between two walls
-    double maxSumCritical = 0.9;  //!< of a critical line
-    double mouthOpenness = 0.35;  //!< or else: openness towards the larger region of a corridor's mouth ...
-    double mouthContrast = 0.6;   //!< ... and the smaller region's radius as a part of the larger one's
-    double minFace_cells = 120;   //!< smaller faces join a neighbour before all else
-    double minPlace_cells = 600;  //!< smaller regions join a neighbour in the end
-    double minRadius_cells = 10;  //!< so do narrower ones
+    MouthRules mouth;
+    std::vector<LineDirection> directions;  //!< that the building's walls run in
+    double minEvidence = 0;                 //!< of a border that stays [nat], see borderEvidence()
+    double minFace_cells = 120;             //!< smaller faces join a neighbour before all else
+    double minPlace_cells = 600;            //!< smaller regions join a neighbour in the end
+    double minRadius_cells = 10;            //!< so do narrower ones
 };
 
 /** A straight border between two regions. */
@@ -42,8 +39,8 @@ struct Regions
     std::vector<RegionBorder> borders;  //!< what is left of the cuts, in their order
 };
 
-/** Cuts the free space into faces and merges them across borders that are open to both sides, the most open
- * first.
+/** Cuts the free space into faces and merges them across borders that nothing speaks for, the weakest first;
+ * what a merger changes is measured anew.
  *
  * Cost: linear in the number of cells, plus the walks beside each cut, plus O(B log B) for B borders of
  * faces.
