@@ -16,7 +16,7 @@ packages_of() {
     demo) echo mrpt-common ;;
     test) echo libgtest-dev libgmock-dev libxml2-utils libmrpt-nav-dev python3 python3-numpy python3-scipy python3-skimage python3-pil man-db mrpt-apps ;;
     bench) echo libbenchmark-dev libopencv-imgproc-dev ;;
-    lint) echo clang-format clang-tidy git ccache ;;
+    lint) echo clang-format clang-tidy git ;;
     *)
         echo "install-dependencies.sh: unknown group '$1': choose from build, rawlog, demo, test, bench, lint" >&2
         exit 2

@@ -21,10 +21,7 @@ give_up() {
 }
 
 bash share/install-dependencies.sh build rawlog demo test || give_up "packages are missing"
-launcher=()
-command -v ccache >/dev/null && launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
-export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}
-cmake --preset "$preset" "${launcher[@]}" "$@" || give_up "CMake failed"
+cmake --preset "$preset" "$@" || give_up "CMake failed"
 cmake --build --preset "$preset" || give_up "the build failed"
 
 # Leaks count as failures, and so does undefined behaviour (which the build makes fatal).

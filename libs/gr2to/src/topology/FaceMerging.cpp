@@ -5,6 +5,7 @@
 #include <queue>
 #include <tuple>
 
+#include "gr2to/topology/RegionContacts.h"
 #include "gr2to/topology/RegionSets.h"
 
 namespace gr2to
@@ -27,6 +28,7 @@ class Merger
           m_faces(grid, cuts),
           m_resolution_m(grid.resolution_m()),
           m_sets(m_faces, distances, rules.directions),
+          m_contacts(m_faces, grid.width()),
           m_piecesOf(static_cast<std::size_t>(m_sets.size()))
     {
         m_surroundings.reserve(cuts.size());
@@ -65,16 +67,13 @@ class Merger
     Neighbours neighboursOf(int region)
     {
         Neighbours result;
+        for (const auto& [other, contact] : m_contacts.of(region)) result[other];
         for (const std::size_t p : m_piecesOf[static_cast<std::size_t>(region)]) {
             const int a = m_sets.find(m_pieces[p].below), b = m_sets.find(m_pieces[p].above);
-            if (a != b) result[a == region ? b : a].push_back(p);
+            if (const auto touched = result.find(a == region ? b : a); touched != result.end())
+                touched->second.push_back(p);
         }
         return result;
-    }
-
-    double length_cells(const CutPiece& piece) const
-    {
-        return (piece.end - piece.begin) * m_cuts[piece.cut].direction.stretch();
     }
 
     /** Small and narrow regions, from the smallest, join the neighbour that they touch most. */
@@ -94,14 +93,11 @@ class Merger
             if (!m_sets.isRegion(region) || m_sets.cells(region) != cells) continue;
             int closest = 0;
             double longest = 0;
-            for (const auto& [other, pieces] : neighboursOf(region)) {
-                double length = 0;
-                for (const std::size_t p : pieces) length += length_cells(m_pieces[p]);
-                if (length > longest) {
+            for (const auto& [other, contact] : m_contacts.of(region))
+                if (const double length = contact.length_cells(); length > longest) {
                     longest = length;
                     closest = other;
                 }
-            }
             if (closest == 0) continue;
             const int merged = unite(region, closest);
             if (isSmall(merged)) queue.push({m_sets.cells(merged), merged});
@@ -117,8 +113,8 @@ class Merger
         std::vector<int> version(static_cast<std::size_t>(m_sets.size()), 0);
         const auto versionOf = [&](int region) -> int& { return version[static_cast<std::size_t>(region)]; };
         const auto push = [&](int a, int b, const std::vector<std::size_t>& pieces) {
-            const double lack = m_rules.minEvidence - borderEvidence(measure(a, b, pieces), m_rules.mouth);
-            if (lack > 0) queue.push({lack, -a, -b, versionOf(a), versionOf(b)});
+            if (const double lack = lackOfEvidence(a, b, pieces); lack > 0)
+                queue.push({lack, -a, -b, versionOf(a), versionOf(b)});
         };
         for (int f = 1; f < m_sets.size(); ++f)
             if (m_sets.isRegion(f))
@@ -144,6 +140,7 @@ class Merger
         std::vector<std::size_t>& kept = m_piecesOf[static_cast<std::size_t>(a)];
         std::vector<std::size_t>& added = m_piecesOf[static_cast<std::size_t>(b)];
         m_sets.join(a, b);
+        m_contacts.join(a, b);
         kept.insert(kept.end(), added.begin(), added.end());
         added.clear();
         kept.erase(std::remove_if(kept.begin(), kept.end(),
@@ -179,10 +176,20 @@ class Merger
             part.begin = std::min(part.begin, piece.begin);
             part.end = std::max(part.end, piece.end);
             part.length_cells = part.length * m_cuts[piece.cut].direction.stretch();
-            total_cells += length_cells(piece);
+            total_cells += (piece.end - piece.begin) * m_cuts[piece.cut].direction.stretch();
             if (part.length_cells > longest.length_cells) longest = part;
         }
         return longest;
+    }
+
+    /** How much evidence a border is short of. Where regions touch without a cut between them nothing speaks
+     * for one, but a spot where cuts cross is no border either. */
+    double lackOfEvidence(int a, int b, const std::vector<std::size_t>& pieces)
+    {
+        constexpr double none = 1000;
+        if (pieces.empty())
+            return m_contacts.between(a, b).length_cells() > m_rules.walks.step_cells ? none : 0;
+        return m_rules.minEvidence - borderEvidence(measure(a, b, pieces), m_rules.mouth);
     }
 
     BorderMeasures measure(int a, int b, const std::vector<std::size_t>& pieces)
@@ -190,22 +197,24 @@ class Merger
         BorderMeasures border;
         double total_cells = 0;
         const CutPart part = longestPart(a, pieces, total_cells);
-        border.length_m = part.length_cells * m_resolution_m;
-        border.total_m = total_cells * m_resolution_m;
+        // Cuts side by side hide parts of each other: what the regions touch is longer then.
+        const double hidden = std::max(1.0, m_contacts.between(a, b).length_cells() / total_cells);
+        border.length_m = part.length_cells * hidden * m_resolution_m;
+        border.total_m = total_cells * hidden * m_resolution_m;
         measureEnds(part, border);
-        border.smaller = sideOf(a, part, part.aIsAbove);
-        border.larger = sideOf(b, part, !part.aIsAbove);
+        border.smaller = sideOf(a, part, part.aIsAbove, hidden);
+        border.larger = sideOf(b, part, !part.aIsAbove, hidden);
         if (m_sets.cells(a) > m_sets.cells(b)) std::swap(border.smaller, border.larger);
         border.unionRectangularity = m_sets.rectangularity(a, b);
         return border;
     }
 
-    BorderSide sideOf(int region, const CutPart& part, bool above)
+    BorderSide sideOf(int region, const CutPart& part, bool above, double hidden)
     {
         BorderSide side;
         const int walk = m_surroundings[part.cut].longestWalk(
             above, part.begin, part.end, [&](int face) { return m_sets.find(face) == region; });
-        side.openness = static_cast<double>(part.length) / std::max(part.length, walk);
+        side.openness = hidden * part.length / std::max(hidden * part.length, static_cast<double>(walk));
         side.area_m2 = static_cast<double>(m_sets.cells(region)) * m_resolution_m * m_resolution_m;
         side.radius_m = m_sets.radius_cells(region) * m_resolution_m;
         side.rectangularity = m_sets.rectangularity(region);
@@ -267,6 +276,7 @@ class Merger
     FaceMap m_faces;
     double m_resolution_m;
     RegionSets m_sets;
+    RegionContacts m_contacts;
     std::vector<CutSurroundings> m_surroundings;       // of each cut
     std::vector<CutPiece> m_pieces;                    // in the order of cuts and steps
     std::vector<std::vector<std::size_t>> m_piecesOf;  // of each region
