@@ -128,7 +128,7 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
         const PlaceCutter cutter(m_options.cut);
         e.graph = cutter.build(
             cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
-            e.walls.directions, e.voronoi, grid, e.distances, m_options.door.min_width,
+            e.walls.directions, e.voronoi, grid, obstacles, e.distances, m_options.door.min_width,
             m_options.door.max_width);
     } else
         e.graph =

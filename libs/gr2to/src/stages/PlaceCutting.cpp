@@ -64,8 +64,8 @@ std::vector<CandidateCut> PlaceCutter::candidates(const std::vector<WallSegment>
 
 PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts,
                               const std::vector<LineDirection>& directions, const VoronoiGraph& voronoi,
-                              const ClassifiedGrid& grid, const DistanceMap& distances, double minDoor_m,
-                              double maxDoor_m) const
+                              const ClassifiedGrid& grid, Obstacles obstacles, const DistanceMap& distances,
+                              double minDoor_m, double maxDoor_m) const
 {
     const double resolution = grid.resolution_m(), cell_m2 = resolution * resolution;
     FaceMergingRules rules;
@@ -82,6 +82,6 @@ PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts,
     graphRules.maxDoor_cells = maxDoor_m / resolution;
     graphRules.minArea_cells = rules.minPlace_cells;
     graphRules.minRadius_cells = rules.minRadius_cells;
-    return graphOfRegions(regions, voronoi, distances, graphRules);
+    return graphOfRegions(regions, voronoi, grid, obstacles, distances, graphRules);
 }
 }  // namespace gr2to

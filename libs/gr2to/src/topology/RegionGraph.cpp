@@ -4,6 +4,7 @@
 #include <array>
 
 #include "gr2to/base/errors.h"
+#include "gr2to/grid/Jambs.h"
 
 namespace gr2to
 {
@@ -102,10 +103,44 @@ std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders, dou
     return kept;
 }
 
+/** The border's cell that is farthest from obstacles: half-way through a doorway that it crosses. */
+Cell widestCell(const RegionBorder& border, const DistanceMap& distances)
+{
+    return *std::max_element(border.cells.begin(), border.cells.end(), [&](Cell a, Cell b) {
+        return distances.clearance_cells(a) < distances.clearance_cells(b);
+    });
+}
+
+/** Whether two lines are parallel within 45 degrees. */
+bool runAlike(Cell a, Cell b, Cell c, Cell d)
+{
+    const double dot =
+        static_cast<double>(b.x - a.x) * (d.x - c.x) + static_cast<double>(b.y - a.y) * (d.y - c.y);
+    return dot * dot >= 0.5 * std::pow(distance_cells(a, b) * distance_cells(c, d), 2);
+}
+
+/** A border that crosses a doorway askew is longer than the doorway is wide: the jambs are the obstacles
+ * nearest to its middle, unless those stand in front of it. */
+void straighten(RegionBorder& border, const ClassifiedGrid& grid, Obstacles obstacles,
+                const DistanceMap& distances)
+{
+    if (border.cells.empty()) return;
+    const Cell middle = widestCell(border, distances);
+    const auto jambs = findJambs(grid, obstacles, middle, distances.clearance_cells(middle));
+    if (!jambs) return;
+    const double width_cells = distance_cells(jambs->nearest, jambs->facing) - 1;
+    if (width_cells >= border.length_cells ||
+        !runAlike(jambs->nearest, jambs->facing, border.jambA, border.jambB))
+        return;
+    border.jambA = jambs->nearest;
+    border.jambB = jambs->facing;
+    border.length_cells = width_cells;
+}
+
 void addLink(const RegionBorder& border, const std::vector<int>& number, const DistanceMap& distances,
              const RegionGraphRules& rules, PlaceGraph& graph)
 {
-    constexpr double cell = 1;  // widths are known to a cell
+    constexpr double cell = 1;  // a narrow passage may be a cell narrower in the grid than it is
     if (border.length_cells < rules.minDoor_cells - cell) return;
     PlaceLink link;
     const auto [from, to] = std::minmax(number[static_cast<std::size_t>(border.from)],
@@ -114,7 +149,7 @@ void addLink(const RegionBorder& border, const std::vector<int>& number, const D
     link.to = static_cast<std::size_t>(to);
     link.at = border.middle;
     link.clearance_cells = 0.5 * (border.length_cells + 1);
-    if (border.length_cells <= rules.maxDoor_cells + cell) {
+    if (border.length_cells <= rules.maxDoor_cells) {
         link.door = static_cast<int>(graph.doors.size());
         graph.doors.push_back({{border.middle, distances.clearance_cells(border.middle)},
                                border.jambA,
@@ -125,8 +160,8 @@ void addLink(const RegionBorder& border, const std::vector<int>& number, const D
 }
 }  // namespace
 
-PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, const DistanceMap& distances,
-                          const RegionGraphRules& rules)
+PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
+                          Obstacles obstacles, const DistanceMap& distances, const RegionGraphRules& rules)
 {
     const std::vector<Measures> measures = measure(regions, distances);
     std::vector<std::size_t> order;
@@ -138,8 +173,10 @@ PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, c
                           static_cast<int>(measures[r].center / width)};
         graph.circles.push_back({center, std::sqrt(static_cast<double>(measures[r].squaredRadius))});
     }
-    for (const RegionBorder& border : separateBorders(regions.borders, rules.minDoor_cells))
+    for (RegionBorder& border : separateBorders(regions.borders, rules.minDoor_cells)) {
+        straighten(border, grid, obstacles, distances);
         addLink(border, number, distances, rules, graph);
+    }
     std::sort(graph.links.begin(), graph.links.end(), [](const PlaceLink& a, const PlaceLink& b) {
         if (a.from != b.from) return a.from < b.from;
         if (a.to != b.to) return a.to < b.to;

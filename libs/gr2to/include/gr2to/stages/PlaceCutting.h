@@ -49,8 +49,8 @@ class PlaceCutter
     /** Places, their doors and openings. \param directions  that the walls run in
      * \param minDoor_m, maxDoor_m  how narrow and how wide a door is */
     PlaceGraph build(const std::vector<CandidateCut>& cuts, const std::vector<LineDirection>& directions,
-                     const VoronoiGraph& voronoi, const ClassifiedGrid& grid, const DistanceMap& distances,
-                     double minDoor_m, double maxDoor_m) const;
+                     const VoronoiGraph& voronoi, const ClassifiedGrid& grid, Obstacles obstacles,
+                     const DistanceMap& distances, double minDoor_m, double maxDoor_m) const;
 
  private:
     TCutOptions m_options;
