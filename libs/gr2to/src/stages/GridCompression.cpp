@@ -64,8 +64,9 @@ class LayerChooser
                         room.floor && *room.floor <= layers.last, !m_options.z_max && room.ceiling};
         layers.floor = layers.range.floorFound ? *room.floor : layers.first;
         if (layers.first >= layers.last)
-            throw InputError("no voxel's centre lies between z_min = " + numberText(layers.range.z_min_m) +
-                             " m and z_max = " + numberText(layers.range.z_max_m) +
+            throw InputError("no voxel's centre lies between z_min = " +
+                             numberText(m_options.z_min.value_or(layers.range.z_min_m)) +
+                             " m and z_max = " + numberText(m_options.z_max.value_or(layers.range.z_max_m)) +
                              " m; give compression.z_min and compression.z_max farther apart");
         return layers;
     }
