@@ -194,6 +194,24 @@ TEST(GridCompression, takesProbabilitiesAtThePMaxAndPMinAsFreeAndOccupied)
     voxels.forEach([&](const VoxelBox& box) { EXPECT_EQ(box.occupied, box.x == kO + 3); });
 }
 
+TEST(GridCompression, takesANodeWhoseChildrenWereDeletedForALeaf)
+{
+    for (const int log2Side : {1, 2}) {
+        VoxelBoxes cubes;
+        cubes.boxes = {cube(0, 0, 0, log2Side, true)};
+        octomap::OcTree tree = treeOf(cubes);
+        tree.prune();
+        auto* leaf = tree.search(octomap::OcTreeKey(kO, kO, kO));
+        tree.expandNode(leaf);
+        for (unsigned k = 0; k < 8; ++k) tree.deleteNodeChild(leaf, k);
+        ASSERT_FALSE(tree.nodeHasChildren(leaf));
+        const VoxelBoxes voxels = voxelsOf(tree, 0.45, 0.55);
+        ASSERT_EQ(voxels.count(), 1u);
+        EXPECT_EQ(voxels.boxes.at(0).log2Side, log2Side);
+        EXPECT_TRUE(voxels.boxes.at(0).occupied);
+    }
+}
+
 TEST(GridCompression, findsFloorAndCeilingAndMeasuresHeightsFromTheFloor)
 {
     const ClassifiedGrid plan = drawMap({"########", "#......#", "#......#", "########"}, 0.1);

@@ -10,6 +10,16 @@ namespace gr2to
 {
 namespace
 {
+using Children = octomap::AbstractOcTreeNode* const*;
+
+/** Reads a node's children at once: the library's own access looks for the array and for the child each time.
+ */
+struct Node : octomap::OcTreeNode
+{
+    /** Eight of them, null where there is none; null itself for a leaf. */
+    static Children childrenOf(const octomap::OcTreeNode& node) { return node.*(&Node::children); }
+};
+
 /** Walks the tree itself: the library's leaf iterator keeps a stack and computes a key for every inner node
  * too. */
 class LeafCollector
@@ -42,34 +52,35 @@ class LeafCollector
 
     void visit(const octomap::OcTreeNode& node, int x, int y, int z, int log2Side)
     {
-        if (log2Side == 1) return addBlock(node, x, y, z);
-        bool isLeaf = true;
+        const Children children = Node::childrenOf(node);
+        if (children == nullptr) return addBox(node, x, y, z, log2Side);
+        if (!hasAny(children)) return addBox(node, x, y, z, log2Side);  // an array may outlive its nodes
+        if (log2Side == 1) return addBlock(children, x, y, z);
         const int below = log2Side - 1;
-        for (unsigned k = 0; k < 8; ++k)
-            if (m_tree.nodeChildExists(&node, k)) {
-                isLeaf = false;
-                const int i = static_cast<int>(k);
-                visit(*m_tree.getNodeChild(&node, k), x | ((i & 1) << below), y | (((i >> 1) & 1) << below),
-                      z | ((i >> 2) << below), below);
-            }
-        if (isLeaf) addBox(node, x, y, z, log2Side);
+        for (int k = 0; k < 8; ++k)
+            if (children[k] != nullptr)
+                visit(*static_cast<const octomap::OcTreeNode*>(children[k]), x | ((k & 1) << below),
+                      y | (((k >> 1) & 1) << below), z | ((k >> 2) << below), below);
+    }
+
+    static bool hasAny(Children children)
+    {
+        std::uintptr_t any = 0;
+        for (int k = 0; k < 8; ++k) any |= reinterpret_cast<std::uintptr_t>(children[k]);
+        return any != 0;
     }
 
     /** Without a branch for each child: which ones there are follows no pattern that a processor could guess.
      */
-    void addBlock(const octomap::OcTreeNode& node, int x, int y, int z)
+    void addBlock(Children children, int x, int y, int z)
     {
-        unsigned free = 0, occupied = 0, known = 0;
+        unsigned free = 0, occupied = 0;
         for (unsigned k = 0; k < 8; ++k) {
-            const bool exists = m_tree.nodeChildExists(&node, k);
-            const octomap::OcTreeNode* const nodes[2] = {&m_unknown,
-                                                         exists ? m_tree.getNodeChild(&node, k) : nullptr};
-            const float logOdds = nodes[exists ? 1 : 0]->getLogOdds();
-            known |= exists ? 1U : 0U;
+            const auto* child = static_cast<const octomap::OcTreeNode*>(children[k]);
+            const float logOdds = (child != nullptr ? child : &m_unknown)->getLogOdds();
             occupied |= (logOdds >= m_occupied ? 1U : 0U) << k;
             free |= (logOdds <= m_free ? 1U : 0U) << k;
         }
-        if (known == 0) return addBox(node, x, y, z, 1);
         if ((free | occupied) != 0)
             m_voxels.blocks.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
                                        static_cast<std::uint16_t>(z), static_cast<std::uint8_t>(free),
