@@ -178,40 +178,6 @@ TEST(GridCompression, countsVoxelsAsTheSlowWayDoes)
     }
 }
 
-TEST(GridCompression, takesProbabilitiesAtThePMaxAndPMinAsFreeAndOccupied)
-{
-    octomap::OcTree tree(0.1);
-    const auto set = [&](int x, double p) {
-        tree.setNodeValue(octomap::OcTreeKey(static_cast<octomap::key_type>(kO + x), kO, kO),
-                          octomap::logodds(p));
-    };
-    set(0, 0.3);
-    set(1, 0.31);
-    set(2, 0.69);
-    set(3, 0.7);
-    const VoxelBoxes voxels = voxelsOf(tree, 0.3, 0.7);
-    EXPECT_EQ(voxels.count(), 2u);
-    voxels.forEach([&](const VoxelBox& box) { EXPECT_EQ(box.occupied, box.x == kO + 3); });
-}
-
-TEST(GridCompression, takesANodeWhoseChildrenWereDeletedForALeaf)
-{
-    for (const int log2Side : {1, 2}) {
-        VoxelBoxes cubes;
-        cubes.boxes = {cube(0, 0, 0, log2Side, true)};
-        octomap::OcTree tree = treeOf(cubes);
-        tree.prune();
-        auto* leaf = tree.search(octomap::OcTreeKey(kO, kO, kO));
-        tree.expandNode(leaf);
-        for (unsigned k = 0; k < 8; ++k) tree.deleteNodeChild(leaf, k);
-        ASSERT_FALSE(tree.nodeHasChildren(leaf));
-        const VoxelBoxes voxels = voxelsOf(tree, 0.45, 0.55);
-        ASSERT_EQ(voxels.count(), 1u);
-        EXPECT_EQ(voxels.boxes.at(0).log2Side, log2Side);
-        EXPECT_TRUE(voxels.boxes.at(0).occupied);
-    }
-}
-
 TEST(GridCompression, findsFloorAndCeilingAndMeasuresHeightsFromTheFloor)
 {
     const ClassifiedGrid plan = drawMap({"########", "#......#", "#......#", "########"}, 0.1);
