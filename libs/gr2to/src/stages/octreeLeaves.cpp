@@ -2,6 +2,7 @@
 
 #include <octomap/OcTree.h>
 
+#include <cstdint>
 #include <limits>
 
 #include "gr2to/base/ZeroedMemory.h"
