@@ -59,8 +59,9 @@ void VoxelColumns::fill(const VoxelBlock& block, const VoxelBounds& bounds)
     const unsigned free = pairsOf(block.free), occupied = pairsOf(block.occupied);
     if (OneWord && z >= 0 && z + 2 <= m_layers) {
         Word* row = m_bits + 2 * corner;
+        const std::size_t toNextRow = 2 * static_cast<std::size_t>(m_width);
         for (unsigned k = 0; k < 4; ++k) {
-            Word* at = row + (k & 1) * 2 + (k >> 1) * 2 * static_cast<std::size_t>(m_width);
+            Word* at = row + ((k & 1) != 0 ? 2 : 0) + ((k >> 1) != 0 ? toNextRow : 0);
             at[0] |= Word{(free >> (2 * k)) & 3U} << z;
             at[1] |= Word{(occupied >> (2 * k)) & 3U} << z;
         }
