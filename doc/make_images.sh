@@ -26,6 +26,13 @@ overlay() {
     mv "$scratch/$name/overlay.png" "$scratch/$name.png"
 }
 
+# scene NAME [OPTION...]: $scratch/scene-NAME.png, of what overlay made
+scene() {
+    local name=$1
+    shift
+    "$gr2to" render "$scratch/$name" --to png -o "$scratch/scene-$name.png" --scene-height 800 "$@" >/dev/null
+}
+
 # picture NAME WIDTH SOURCE...: doc/images/NAME.png, the sources side by side
 picture() {
     local name=$1 width=$2
@@ -51,6 +58,8 @@ sample=$root/share/sample/office
 # shellcheck disable=SC2086 # the layers are words
 overlay office "$sample.yaml" $bare
 picture office-before-after 1200 "$sample.png" "$scratch/office.png"
+scene office
+picture scene-office 1200 "$scratch/scene-office.png"
 
 "$make_building" -o "$scratch" --name floor --seed 5 --width 26 --height 14 >/dev/null
 "$make_building" -o "$scratch" --name furnished --seed 5 --width 26 --height 14 --furniture 0.1 >/dev/null
@@ -100,5 +109,7 @@ if [ -n "$octrees" ]; then
     # shellcheck disable=SC2046 # the layers are words
     overlay octree "$octrees/geb079.bt" $(layers grid places ids doors connections legend scale_bar)
     picture octree-geb079 1400 "$scratch/octree.png"
+    scene octree --octree "$octrees/geb079.bt"
+    picture scene-geb079 1400 "$scratch/scene-octree.png"
 fi
 ls -l "$images"

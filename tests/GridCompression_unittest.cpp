@@ -178,22 +178,6 @@ TEST(GridCompression, countsVoxelsAsTheSlowWayDoes)
     }
 }
 
-TEST(GridCompression, takesProbabilitiesAtThePMaxAndPMinAsFreeAndOccupied)
-{
-    octomap::OcTree tree(0.1);
-    const auto set = [&](int x, double p) {
-        tree.setNodeValue(octomap::OcTreeKey(static_cast<octomap::key_type>(kO + x), kO, kO),
-                          octomap::logodds(p));
-    };
-    set(0, 0.3);
-    set(1, 0.31);
-    set(2, 0.69);
-    set(3, 0.7);
-    const VoxelBoxes voxels = voxelsOf(tree, 0.3, 0.7);
-    EXPECT_EQ(voxels.count(), 2u);
-    voxels.forEach([&](const VoxelBox& box) { EXPECT_EQ(box.occupied, box.x == kO + 3); });
-}
-
 TEST(GridCompression, findsFloorAndCeilingAndMeasuresHeightsFromTheFloor)
 {
     const ClassifiedGrid plan = drawMap({"########", "#......#", "#......#", "########"}, 0.1);

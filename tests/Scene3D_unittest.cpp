@@ -1,19 +1,25 @@
 #include "gr2to/view/Scene3D.h"
 
 #include <gtest/gtest.h>
+#include <mrpt/opengl/COctoMapVoxels.h>
 #include <mrpt/opengl/CSetOfTriangles.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "gr2to/base/files.h"
 #include "gr2to/view/triangulate.h"
+#include "support/building/Octrees.h"
 #include "support/cli.h"
+#include "support/drawMap.h"
+#include "support/inputFiles.h"
 #include "support/picture.h"
 #include "support/someTopologicalMap.h"
 
 using namespace gr2to;
 using namespace gr2to::test;
+using gr2to::drawMap;  // of a map; the test's own draws grids
 
 namespace
 {
@@ -38,6 +44,20 @@ double coveredArea(const Polygon& polygon)
         area += part;
     }
     return area;
+}
+std::shared_ptr<mrpt::opengl::CSetOfTriangles> wallsOf(const TopologicalMap& map,
+                                                       const TSceneOptions& options)
+{
+    return std::dynamic_pointer_cast<mrpt::opengl::CSetOfTriangles>(
+        drawMap(map, options)->getByName("walls"));
+}
+
+/** A room of 2 x 1 m in voxels of 0.1 m, 2.5 m high. */
+VoxelBoxes roomOfVoxels()
+{
+    std::vector<std::string> rows(12, "#" + std::string(20, '.') + "#");
+    rows.front() = rows.back() = std::string(22, '#');
+    return extruded(drawMap(rows, 0.1), 2.5);
 }
 }  // namespace
 
@@ -65,7 +85,7 @@ TEST(Scene3D, wallsAndDoorsStandAsHighAsTheyWereMeasured)
     options.graph = false;
     options.wall_height = 3.25;
     const auto highest = [&](const TopologicalMap& map) {
-        const auto walls = drawMap(map, options)->getByClass<mrpt::opengl::CSetOfTriangles>(1);
+        const auto walls = wallsOf(map, options);
         float z = -1;
         for (std::size_t i = 0; i < walls->getTrianglesCount(); ++i) {
             mrpt::opengl::TTriangle triangle;
@@ -83,6 +103,63 @@ TEST(Scene3D, wallsAndDoorsStandAsHighAsTheyWereMeasured)
     EXPECT_NEAR(highest(map), map.places().begin()->second.center.z + 3.25, 1e-5);
     map.place(map.places().begin()->first).walls.at(0).size.height_m = 4.5;
     EXPECT_NEAR(highest(map), map.places().begin()->second.center.z + 4.5, 1e-5);
+}
+
+TEST(Scene3D, wallsAreSeenThroughAsFarAsWanted)
+{
+    TSceneOptions options;
+    for (const double opacity : {1.0, 0.4}) {
+        options.wall_opacity = opacity;
+        TopologicalMap map = someMap();
+        for (const auto& [id, place] : map.places())
+            for (Wall& wall : map.place(id).walls) wall.real = true;
+        const auto walls = wallsOf(map, options);
+        std::size_t seenThrough = 0;
+        for (std::size_t i = 0; i < walls->getTrianglesCount(); ++i) {
+            mrpt::opengl::TTriangle triangle;
+            walls->getTriangle(i, triangle);
+            seenThrough += triangle.vertices[0].xyzrgba.a == std::lround(255 * opacity) ? 1 : 0;
+        }
+        EXPECT_GT(seenThrough, 0u);
+    }
+}
+
+TEST(Scene3D, voxelsAreDrawnWithoutFloorAndCeiling)
+{
+    const VoxelBoxes voxels = roomOfVoxels();
+    const auto drawn = std::dynamic_pointer_cast<mrpt::opengl::COctoMapVoxels>(drawVoxels(voxels));
+    ASSERT_TRUE(drawn);
+    constexpr std::size_t wallCells = 22 * 12 - 20 * 10, layers = 25;
+    ASSERT_EQ(drawn->getVoxelCount(mrpt::opengl::VOXEL_SET_OCCUPIED), wallCells * layers);
+    for (std::size_t i = 0; i < wallCells * layers; ++i) {
+        const auto& voxel = drawn->getVoxel(mrpt::opengl::VOXEL_SET_OCCUPIED, i);
+        ASSERT_GT(voxel.coords.z, 0);
+        ASSERT_LT(voxel.coords.z, 2.5F);
+        ASSERT_NEAR(voxel.side_length, 0.1, 1e-9);
+    }
+}
+
+TEST(Scene3D, largeCubesAreDrawnAsFarAsTheyReachIntoTheRoom)
+{
+    VoxelBoxes voxels = roomOfVoxels();
+    constexpr int far = VoxelBoxes::kOrigin + 64;
+    voxels.boxes.push_back({far, far, VoxelBoxes::kOrigin - 2, 2, true});  // two of its four layers
+    voxels.boxes.push_back({far, far, VoxelBoxes::kOrigin + 8, 3, true});  // all of it
+    const auto drawn = std::dynamic_pointer_cast<mrpt::opengl::COctoMapVoxels>(drawVoxels(voxels));
+    std::size_t ofPart = 0, whole = 0;
+    for (std::size_t i = 0; i < drawn->getVoxelCount(mrpt::opengl::VOXEL_SET_OCCUPIED); ++i) {
+        const auto& voxel = drawn->getVoxel(mrpt::opengl::VOXEL_SET_OCCUPIED, i);
+        if (voxel.coords.x < 6) continue;
+        (voxel.side_length > 0.5 ? whole : ofPart) += 1;
+    }
+    EXPECT_EQ(ofPart, 4u * 4 * 2);
+    EXPECT_EQ(whole, 1u);
+}
+
+TEST(Scene3D, anOctreeWithNothingToDrawIsRefused)
+{
+    VoxelBoxes nothing;
+    EXPECT_NE(inputErrorOf([&] { drawVoxels(nothing); }).find("no occupied voxel"), std::string::npos);
 }
 
 TEST(Scene3D, optionsOutOfRangeAreRefused)
@@ -130,8 +207,26 @@ TEST_F(CliRender, writesASceneThatMrptReads)
     EXPECT_TRUE(scene.getByClass<mrpt::opengl::CSetOfTriangles>());
 }
 
+TEST_F(CliRender, drawsTheOctreeThatTheMapWasMadeFrom)
+{
+    m_folder.write("room.bt", binaryOctree(roomOfVoxels()));
+    ASSERT_EQ(render({"out", "--to", "3Dscene", "-o", "map.3Dscene", "--octree", "room.bt"}).code, 0);
+    mrpt::opengl::COpenGLScene scene;
+    ASSERT_TRUE(scene.loadFromFile((m_folder.path() / "map.3Dscene").string()));
+    const auto voxels = scene.getByClass<mrpt::opengl::COctoMapVoxels>();
+    ASSERT_TRUE(voxels);
+    EXPECT_GT(voxels->getVoxelCount(mrpt::opengl::VOXEL_SET_OCCUPIED), 1000u);
+}
+
 TEST_F(CliRender, badUsageIsTold)
 {
+    m_folder.write("cut.bt", binaryOctree(roomOfVoxels()).substr(0, 100));
+    const auto before = contentOf(m_folder.path());
+    expectBadUsage(render({"out", "--to", "3Dscene", "--octree", "cut.bt"}), {"cut.bt", "truncated"});
+    expectBadUsage(render({"out", "--to", "3Dscene", "--octree", "rooms.png"}), {"rooms.png", "no OctoMap"});
+    expectBadUsage(render({"out", "--to", "3Dscene", "--octree", "none.bt"}), {"none.bt"});
+    expectBadUsage(render({"out", "--to", "png", "--scene-wall-opacity", "2"}), {"scene.wall_opacity = 2"});
+    EXPECT_EQ(contentOf(m_folder.path()), before);
     expectBadUsage(render({"out", "--to", "jpeg"}), {"'jpeg'", "png, 3Dscene"});
     expectBadUsage(render({"nowhere", "--to", "png"}), {"'nowhere'"});
     expectBadUsage(render({"rooms.png", "--to", "png"}), {"rooms.png"});

@@ -285,16 +285,3 @@ TEST_F(Simplemap, extractRefusesBadOnesInOneLineAndWritesNothing)
     refused("foreign.simplemap", {"'foreign.simplemap'", "acme::obs::CObservationThermos", "libacme.so"});
     EXPECT_EQ(contentOf(m_folder.path()), before);
 }
-
-TEST_F(Simplemap, dataOfMrptCommonAreExtracted)
-{
-    const std::filesystem::path datasets = "/usr/share/mrpt/datasets";
-    if (!std::filesystem::exists(datasets / "localization_demo.simplemap.gz"))
-        GTEST_SKIP() << "mrpt-common is not installed: its simplemaps are not tested";
-    for (const char* name : {"localization_demo", "malaga-cs-fac-building"}) {
-        const CliRun run = runCli(m_folder.path(), {"extract", (datasets / name).string() + ".simplemap.gz"});
-        EXPECT_EQ(run.code, 0) << run.err;
-        EXPECT_TRUE(std::filesystem::exists(m_folder.path() / name / "topomap.simplemap"));
-        EXPECT_THAT(run.out, testing::Not(HasSubstr("\n0 rooms")));
-    }
-}

@@ -84,8 +84,10 @@ TPoint3D standingPoint(const gr2to::ClassifiedGrid& grid, const gr2to::PlaceImag
 TopologicalMap::Graph passableGraph(const TopologicalMap& map, PlaceId from, double radius_m)
 {
     TopologicalMap::Graph graph;
-    const double needed =
-        2 * spaceOf(radius_m) + 2 * map.resolution_m;  // a cell on either side is lost to rounding
+    // The robot's cell lies up to half a cell's diagonal off the doorway's middle, and needs a cell more than
+    // its space.
+    const double rounding_cells = 1 + std::sqrt(2.0);
+    const double needed = 2 * spaceOf(radius_m) + rounding_cells * map.resolution_m;
     std::vector<PlaceId> reached{from};
     std::set<std::uint32_t> taken;
     for (std::size_t k = 0; k < reached.size(); ++k)

@@ -14,12 +14,12 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-RADIUS_M = 0.2
+RADIUS_M = 0.25
 
 
 def reachable(root, start):
-    """Ids of the places that a robot of this radius gets to, with the planner's square root of 2 and two cells to spare."""
-    width = 2 * math.sqrt(2) * RADIUS_M + 2 * float(root.get("resolution"))
+    """Ids of the places that a robot of this radius gets to, with the space that the planner needs and what rounding takes."""
+    width = 2 * math.sqrt(2) * RADIUS_M + (1 + math.sqrt(2)) * float(root.get("resolution"))
     ways = [(c.get("from"), c.get("to")) for c in root.iter("connection")
             if float(c.find("doorway/size").get("length")) >= width]
     reached, queue = {start}, [start]

@@ -13,9 +13,22 @@ namespace
 constexpr std::size_t kLargePage = std::size_t{2} << 20;  // of x86-64, and of others with small pages of 4 kB
 }
 
+void wishLargePages(void* from, std::size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+    void* first = from;
+    std::size_t space = bytes;
+    if (std::align(kLargePage, kLargePage, first, space) != nullptr)
+        ::madvise(first, space, MADV_HUGEPAGE);  // without large pages all works the same
+#else
+    static_cast<void>(from);
+    static_cast<void>(bytes);
+#endif
+}
+
 ZeroedMemory::ZeroedMemory(std::size_t bytes)
 {
-    if (bytes < 4 * kLargePage) {  // a few pages more or less do not matter, and the heap has used ones
+    if (bytes < 2 * kLargePage) {  // a few pages more or less do not matter, and the heap has used ones
         m_data = std::calloc(bytes, 1);
         if (m_data == nullptr && bytes > 0) throw std::bad_alloc();
         return;
@@ -26,9 +39,7 @@ ZeroedMemory::ZeroedMemory(std::size_t bytes)
     std::size_t space = m_mapped;
     m_data = m_mapping;
     std::align(kLargePage, bytes, m_data, space);
-#ifdef MADV_HUGEPAGE
-    ::madvise(m_data, bytes, MADV_HUGEPAGE);  // a wish: without large pages all works the same
-#endif
+    wishLargePages(m_data, bytes);
 }
 
 ZeroedMemory::~ZeroedMemory()

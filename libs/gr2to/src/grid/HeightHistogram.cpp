@@ -64,26 +64,25 @@ HeightHistogram heightHistogram(const VoxelBoxes& voxels, const VoxelBounds& bou
 {
     // Cubes add their base to the layers from their lowest to their highest: summed up from the differences
     // at both ends.
-    std::vector<std::int64_t> change(2 * VoxelBoxes::kOrigin + 1, 0);
-    std::vector<std::int64_t> single(2 * VoxelBoxes::kOrigin + 1, 0);
+    const auto layerOf = [&](int z) { return static_cast<std::size_t>(z - bounds.firstZ); };
+    std::vector<std::int64_t> change(layerOf(bounds.lastZ) + 1, 0);
+    std::vector<std::int64_t> single(layerOf(bounds.lastZ) + 1, 0);
     constexpr unsigned lowerHalf = 0x0F;
     for (const VoxelBlock& block : voxels.blocks) {
-        single[block.z] += kBitsOfNibble[block.occupied & lowerHalf];
-        single[block.z + 1U] += kBitsOfNibble[block.occupied >> 4];
+        single[layerOf(block.z)] += kBitsOfNibble[block.occupied & lowerHalf];
+        single[layerOf(block.z + 1)] += kBitsOfNibble[block.occupied >> 4];
     }
     for (const VoxelBox& box : voxels.boxes) {
         if (!box.occupied) continue;
         const std::int64_t base = std::int64_t{1} << (2 * box.log2Side);
-        change[box.z] += base;
-        change[static_cast<std::size_t>(box.z) + static_cast<std::size_t>(box.side())] -= base;
+        change[layerOf(box.z)] += base;
+        change[layerOf(box.z + box.side())] -= base;
     }
     HeightHistogram histogram;
     histogram.firstLayer = bounds.firstZ;
     std::int64_t count = 0;
-    for (int z = bounds.firstZ; z < bounds.lastZ; ++z) {
-        const auto at = static_cast<std::size_t>(z);
-        histogram.occupied.push_back((count += change[at]) + single[at]);
-    }
+    for (std::size_t layer = 0; layer < layerOf(bounds.lastZ); ++layer)
+        histogram.occupied.push_back((count += change[layer]) + single[layer]);
     return histogram;
 }
 

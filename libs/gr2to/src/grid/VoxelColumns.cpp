@@ -6,6 +6,18 @@
 
 namespace gr2to
 {
+namespace
+{
+/** The voxels of a block column by column: bits 2 k and 2 k + 1 are those over each other, k and k + 4 of the
+ * block. */
+unsigned pairsOf(unsigned voxels)
+{
+    static constexpr std::uint8_t everyOther[16] = {0,  1,  4,  5,  16, 17, 20, 21,
+                                                    64, 65, 68, 69, 80, 81, 84, 85};
+    return everyOther[voxels & 15U] | (static_cast<unsigned>(everyOther[voxels >> 4]) << 1);
+}
+}  // namespace
+
 std::size_t VoxelColumns::bytesFor(std::size_t columns, int layers, std::size_t words)
 {
     const std::size_t bytes = 2 * columns * words * sizeof(Word);
@@ -41,28 +53,30 @@ void VoxelColumns::fill(const VoxelBlock& block, const VoxelBounds& bounds)
 {
     const int z = block.z - bounds.firstZ;
     if (z >= m_layers || z + 1 < 0) return;
-    const bool whole = z >= 0 && z + 2 <= m_layers && (OneWord || z % kBits != kBits - 1);
     const std::size_t corner =
         static_cast<std::size_t>(block.y - bounds.firstY) * static_cast<std::size_t>(m_width) +
         static_cast<std::size_t>(block.x - bounds.firstX);
+    const unsigned free = pairsOf(block.free), occupied = pairsOf(block.occupied);
+    if (OneWord && z >= 0 && z + 2 <= m_layers) {
+        Word* row = m_bits + 2 * corner;
+        const std::size_t toNextRow = 2 * static_cast<std::size_t>(m_width);
+        for (unsigned k = 0; k < 4; ++k) {
+            Word* at = row + ((k & 1) != 0 ? 2 : 0) + ((k >> 1) != 0 ? toNextRow : 0);
+            at[0] |= Word{(free >> (2 * k)) & 3U} << z;
+            at[1] |= Word{(occupied >> (2 * k)) & 3U} << z;
+        }
+        return;
+    }
     for (unsigned k = 0; k < 4; ++k) {
         const std::size_t column = corner + (k >> 1) * static_cast<std::size_t>(m_width) + (k & 1);
-        // voxels k and k + 4 of the block lie over each other
-        const unsigned free = (block.free >> k) & 0x11U, occupied = (block.occupied >> k) & 0x11U;
-        const Word freePair = (free | (free >> 3)) & 3U, occupiedPair = (occupied | (occupied >> 3)) & 3U;
-        if (OneWord && whole) {
-            Word* at = m_bits + 2 * column;
-            at[0] |= freePair << z;
-            at[1] |= occupiedPair << z;
-            continue;
-        }
         Word* at = m_bits + 2 * column * m_words;
         for (int dz = 0; dz < 2; ++dz) {
             const int layer = z + dz;
             if (layer < 0 || layer >= m_layers) continue;
             const auto word = static_cast<std::size_t>(layer / kBits);
-            at[word] |= ((freePair >> dz) & 1U) << (layer % kBits);
-            at[m_words + word] |= ((occupiedPair >> dz) & 1U) << (layer % kBits);
+            const unsigned bit = 2 * k + static_cast<unsigned>(dz);
+            at[word] |= Word{(free >> bit) & 1U} << (layer % kBits);
+            at[m_words + word] |= Word{(occupied >> bit) & 1U} << (layer % kBits);
         }
     }
 }

@@ -32,12 +32,15 @@ CSerializable::Ptr readObject(std::string_view bytes, std::size_t& used)
     return object;
 }
 
-/** Whether the object is a count and then that many objects. */
-bool isList(const ArchiveHeader& header)
+/** How many bytes of the object stand before a count and then that many objects; nothing when it is no such
+ * list. */
+std::optional<std::size_t> bytesBeforeCount(const ArchiveHeader& header)
 {
-    constexpr int FRAMES_FROM = 2;  // older frames have other fields in front of the count
-    return (header.className == "CSensoryFrame" && header.version >= FRAMES_FROM) ||
-           header.className == "CActionCollection" || header.className == "CRawlog";
+    if (header.className == "CActionCollection" || header.className == "CRawlog") return 0;
+    const bool isFrame = header.className == "CSensoryFrame" || header.className == "CSensorialFrame";
+    if (isFrame && header.version >= 2) return 0;
+    if (isFrame && header.version == 1) return sizeof(std::uint32_t);  // a number of the frame
+    return {};
 }
 
 /** The libraries that register the classes of a namespace outside MRPT. */
@@ -63,10 +66,10 @@ std::optional<std::string> foreignClassAt(std::string_view bytes)
     const auto header = archiveHeader(bytes);
     if (!header || header->className == "nullptr") return {};
     if (mrpt::rtti::findRegisteredClass(header->fullName, true) == nullptr) return header->fullName;
-    if (!isList(*header)) return {};
-    bytes.remove_prefix(header->size);
+    const auto before = bytesBeforeCount(*header);
     std::uint32_t count = 0;
-    if (bytes.size() < sizeof count) return {};
+    if (!before || bytes.size() < header->size + *before + sizeof count) return {};
+    bytes.remove_prefix(header->size + *before);
     std::memcpy(&count, bytes.data(), sizeof count);
     bytes.remove_prefix(sizeof count);
     for (; count > 0; --count) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/vectorised.h"
 #include "gr2to/base/errors.h"
 #include "gr2to/base/text.h"
 #include "gr2to/grid/HeightHistogram.h"
@@ -63,8 +64,9 @@ class LayerChooser
                         room.floor && *room.floor <= layers.last, !m_options.z_max && room.ceiling};
         layers.floor = layers.range.floorFound ? *room.floor : layers.first;
         if (layers.first >= layers.last)
-            throw InputError("no voxel's centre lies between z_min = " + numberText(layers.range.z_min_m) +
-                             " m and z_max = " + numberText(layers.range.z_max_m) +
+            throw InputError("no voxel's centre lies between z_min = " +
+                             numberText(m_options.z_min.value_or(layers.range.z_min_m)) +
+                             " m and z_max = " + numberText(m_options.z_max.value_or(layers.range.z_max_m)) +
                              " m; give compression.z_min and compression.z_max farther apart");
         return layers;
     }
@@ -124,31 +126,37 @@ class Compression
 
     void compress()
     {
-        int mostOccupied = 0, mostFree = 0;
-        std::size_t occupied = 0, free = 0;
-        for (std::size_t i = 0; i < m_columns.size(); ++i) {
-            if (m_columns.isUnknown(i)) continue;
-            const int no = m_columns.countOccupied(i), nf = m_columns.countFree(i);
-            mostOccupied = std::max(mostOccupied, no);
-            mostFree = std::max(mostFree, nf);
-            CellState state = equation7(no, nf);
-            free += state == CellState::Free ? 1 : 0;
-            if (state != CellState::Free && carriesNothing(i)) {
-                state = CellState::Free;
-                ++m_result.furnitureCells;
-            }
-            m_result.grid[i] = state;
-            if (state == CellState::Occupied) {
-                ++occupied;
-                m_result.heights.setTop(i, wallTop(i) - m_floor);
-            } else if (state == CellState::Free && no > 0)
-                m_result.heights.setLintel(i, lintelBottom(i) - m_floor);
-        }
-        if (free == 0) complain("nf_max", m_options.nf_max, "free", mostFree);
-        if (occupied == 0) complain("no_min", m_options.no_min, "occupied", mostOccupied);
+        compressAll();
+        if (m_free == 0) complain("nf_max", m_options.nf_max, "free", m_mostFree);
+        if (m_occupied == 0) complain("no_min", m_options.no_min, "occupied", m_mostOccupied);
     }
 
  private:
+    GR2TO_VECTORISED void compressAll()
+    {
+        for (std::size_t i = 0; i < m_columns.size(); ++i)
+            if (!m_columns.isUnknown(i)) compress(i);
+    }
+
+    [[gnu::always_inline]] void compress(std::size_t i)
+    {
+        const int no = m_columns.countOccupied(i), nf = m_columns.countFree(i);
+        m_mostOccupied = std::max(m_mostOccupied, no);
+        m_mostFree = std::max(m_mostFree, nf);
+        CellState state = equation7(no, nf);
+        m_free += state == CellState::Free ? 1 : 0;
+        if (state != CellState::Free && carriesNothing(i)) {
+            state = CellState::Free;
+            ++m_result.furnitureCells;
+        }
+        m_result.grid[i] = state;
+        if (state == CellState::Occupied) {
+            ++m_occupied;
+            m_result.heights.setTop(i, wallTop(i) - m_floor);
+        } else if (state == CellState::Free && no > 0)
+            m_result.heights.setLintel(i, lintelBottom(i) - m_floor);
+    }
+
     CellState equation7(int no, int nf) const
     {
         if (no > m_noMin && nf < m_nfMax) return CellState::Occupied;
@@ -197,6 +205,8 @@ class Compression
     int m_floor, m_tallest,
         m_head;  //!< layers: of the floor, of the lowest over furniture, of the lowest lintel
     CompressedGrid& m_result;
+    int m_mostOccupied = 0, m_mostFree = 0;  //!< voxels of a column
+    std::size_t m_occupied = 0, m_free = 0;  //!< cells, free ones without furniture
 };
 }  // namespace
 

@@ -2,10 +2,25 @@
 
 #include <octomap/OcTree.h>
 
+#include <cstdint>
+#include <limits>
+
+#include "gr2to/base/ZeroedMemory.h"
+
 namespace gr2to
 {
 namespace
 {
+using Children = octomap::AbstractOcTreeNode* const*;
+
+/** Reads a node's children at once: the library's own access looks for the array and for the child each time.
+ */
+struct Node : octomap::OcTreeNode
+{
+    /** Eight of them, null where there is none; null itself for a leaf. */
+    static Children childrenOf(const octomap::OcTreeNode& node) { return node.*(&Node::children); }
+};
+
 /** Walks the tree itself: the library's leaf iterator keeps a stack and computes a key for every inner node
  * too. */
 class LeafCollector
@@ -14,9 +29,10 @@ class LeafCollector
     LeafCollector(const octomap::OcTree& tree, double p_max, double p_min)
         : m_tree(tree), m_free(octomap::logodds(p_max)), m_occupied(octomap::logodds(p_min))
     {
+        m_unknown.setLogOdds(std::numeric_limits<float>::quiet_NaN());
         m_voxels.resolution_m = tree.getResolution();
-        m_voxels.blocks.reserve(tree.size() / 4);  // of what is not used, no page is ever touched
-        m_voxels.boxes.reserve(tree.size() / 4);
+        reserve(m_voxels.blocks, tree.size() / 4);
+        reserve(m_voxels.boxes, tree.size() / 4);
     }
 
     VoxelBoxes collect()
@@ -27,28 +43,45 @@ class LeafCollector
     }
 
  private:
-    void visit(const octomap::OcTreeNode& node, int x, int y, int z, int log2Side)
+    /** Of what is not used, no page is ever touched. */
+    template <class T>
+    static void reserve(std::vector<T>& list, std::size_t count)
     {
-        if (!m_tree.nodeHasChildren(&node)) return addBox(node, x, y, z, log2Side);
-        if (log2Side == 1) return addBlock(node, x, y, z);
-        const int below = log2Side - 1;
-        for (unsigned k = 0; k < 8; ++k)
-            if (m_tree.nodeChildExists(&node, k)) {
-                const int i = static_cast<int>(k);
-                visit(*m_tree.getNodeChild(&node, k), x | ((i & 1) << below), y | (((i >> 1) & 1) << below),
-                      z | ((i >> 2) << below), below);
-            }
+        list.reserve(count);
+        wishLargePages(list.data(), count * sizeof(T));
     }
 
-    void addBlock(const octomap::OcTreeNode& node, int x, int y, int z)
+    void visit(const octomap::OcTreeNode& node, int x, int y, int z, int log2Side)
+    {
+        const Children children = Node::childrenOf(node);
+        if (children == nullptr) return addBox(node, x, y, z, log2Side);
+        if (!hasAny(children)) return addBox(node, x, y, z, log2Side);  // an array may outlive its nodes
+        if (log2Side == 1) return addBlock(children, x, y, z);
+        const int below = log2Side - 1;
+        for (int k = 0; k < 8; ++k)
+            if (children[k] != nullptr)
+                visit(*static_cast<const octomap::OcTreeNode*>(children[k]), x | ((k & 1) << below),
+                      y | (((k >> 1) & 1) << below), z | ((k >> 2) << below), below);
+    }
+
+    static bool hasAny(Children children)
+    {
+        std::uintptr_t any = 0;
+        for (int k = 0; k < 8; ++k) any |= reinterpret_cast<std::uintptr_t>(children[k]);
+        return any != 0;
+    }
+
+    /** Without a branch for each child: which ones there are follows no pattern that a processor could guess.
+     */
+    void addBlock(Children children, int x, int y, int z)
     {
         unsigned free = 0, occupied = 0;
-        for (unsigned k = 0; k < 8; ++k)
-            if (m_tree.nodeChildExists(&node, k)) {
-                const float logOdds = m_tree.getNodeChild(&node, k)->getLogOdds();
-                occupied |= (logOdds >= m_occupied ? 1U : 0U) << k;
-                free |= (logOdds <= m_free ? 1U : 0U) << k;
-            }
+        for (unsigned k = 0; k < 8; ++k) {
+            const auto* child = static_cast<const octomap::OcTreeNode*>(children[k]);
+            const float logOdds = (child != nullptr ? child : &m_unknown)->getLogOdds();
+            occupied |= (logOdds >= m_occupied ? 1U : 0U) << k;
+            free |= (logOdds <= m_free ? 1U : 0U) << k;
+        }
         if ((free | occupied) != 0)
             m_voxels.blocks.push_back({static_cast<std::uint16_t>(x), static_cast<std::uint16_t>(y),
                                        static_cast<std::uint16_t>(z), static_cast<std::uint8_t>(free),
@@ -68,6 +101,7 @@ class LeafCollector
     const octomap::OcTree& m_tree;
     float m_free;
     float m_occupied;
+    octomap::OcTreeNode m_unknown;  //!< stands for children that are not there: neither free nor occupied
     VoxelBoxes m_voxels;
 };
 }  // namespace

@@ -68,6 +68,17 @@ void aimCamera(mrpt::opengl::COpenGLScene& scene, const Extent& extent, const TS
     viewport->setCustomBackgroundColor({1.0F, 1.0F, 1.0F});
 }
 
+/** Mostly light from everywhere: the colours of places have to be told apart on whatever side they are seen.
+ */
+void light(mrpt::opengl::COpenGLViewport& viewport)
+{
+    constexpr float fromAround = 0.6F, fromAbove = 0.45F;
+    auto& lights = viewport.lightParameters();
+    lights.ambient = {fromAround, fromAround, fromAround, 1.0F};
+    lights.diffuse = {fromAbove, fromAbove, fromAbove, 1.0F};
+    lights.specular = {0.0F, 0.0F, 0.0F, 1.0F};
+}
+
 std::string encodePng(const mrpt::img::CImage& image)
 {
     const auto width = static_cast<int>(image.getWidth()), height = static_cast<int>(image.getHeight());
@@ -104,6 +115,8 @@ std::string encodePng(const mrpt::img::CImage& image)
 std::vector<OptionField> TSceneOptions::fields()
 {
     return {{"wall_height", &wall_height, "m", "Height of walls that was not measured.", 0.1, 100},
+            {"wall_opacity", &wall_opacity, "ratio", "How far walls hide what is behind them; 1 does wholly.",
+             0.05, 1},
             {"door_height", &door_height, "m", "Height of doors that was not measured.", 0.1, 100},
             {"graph", &graph, "", "Draw places and connections as a graph above the walls."},
             {"graph_height", &graph_height, "m", "Height of that graph above the floor.", 0, 100},
@@ -120,6 +133,7 @@ mrpt::opengl::COpenGLScene::Ptr makeScene(const TopologicalMap& map, const TScen
     auto scene = mrpt::opengl::COpenGLScene::Create();
     scene->insert(drawMap(map, options));
     aimCamera(*scene, extentOf(map), options);
+    light(*scene->getViewport());
     return scene;
 }
 

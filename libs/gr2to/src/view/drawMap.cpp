@@ -19,7 +19,8 @@ using mrpt::math::TPoint3D;
 using mrpt::math::TPoint3Df;
 
 constexpr double kNode_m = 0.25;
-constexpr double kLift_m = 0.02;  // of lines above the floor that they lie on
+constexpr double kLift_m = 0.02;       // of lines above the floor that they lie on
+constexpr double kDoorFront_m = 0.06;  // of a door's faces before the walls, which may lie in its plane
 
 TColor colorOf(Rgb rgb)
 {
@@ -51,9 +52,13 @@ class MapDrawing
         }
         m_lines->setLineWidth(2);
         m_lines->setColor_u8(colorOf(palette::ink));
-        m_objects->insert(m_floors);
-        m_objects->insert(m_lines);
+        m_walls->setName("walls");
+        m_floors->setName("floors");
+        // Objects as far away as one another are drawn from the last to the first, so that walls come last:
+        // what is to be seen through them has to be there.
         m_objects->insert(m_walls);
+        m_objects->insert(m_lines);
+        m_objects->insert(m_floors);
         return m_objects;
     }
 
@@ -65,6 +70,12 @@ class MapDrawing
         triangle.computeNormals();
         triangle.setColor(color);
         triangles.insertTriangle(triangle);
+    }
+
+    TColor seeThrough(Rgb rgb) const
+    {
+        return {rgb.red, rgb.green, rgb.blue,
+                static_cast<std::uint8_t>(std::lround(255 * m_options.wall_opacity))};
     }
 
     void addFloor(const Place& place)
@@ -90,7 +101,7 @@ class MapDrawing
         const TPoint3D foot{wall.position.mean.x, wall.position.mean.y, place.center.z};
         if (wall.real)
             addPlane(foot - half, foot + half, wall.size.height_m.value_or(m_options.wall_height),
-                     colorOf(palette::occupied));
+                     seeThrough(palette::occupied));
         else
             m_lines->appendLine(above(foot - half, kLift_m), above(foot + half, kLift_m));
     }
@@ -123,8 +134,12 @@ class MapDrawing
         const TPoint3D half = directionOf(connection) * (door.size.length_m / 2);
         const TPoint3D foot{door.position.mean.x, door.position.mean.y,
                             m_map.place(connection.from).center.z};
-        addPlane(foot - half, foot + half, door.size.height_m.value_or(m_options.door_height),
-                 colorOf(palette::door));
+        const double length = half.norm();
+        const TPoint3D front =
+            length > 0 ? TPoint3D{-half.y, half.x, 0} * (kDoorFront_m / length) : TPoint3D{0, 0, 0};
+        for (const TPoint3D& face : {foot - front, foot + front})
+            addPlane(face - half, face + half, door.size.height_m.value_or(m_options.door_height),
+                     colorOf(palette::door));
     }
 
     void addEdge(const Connection& connection)

@@ -4,6 +4,10 @@
 
 namespace gr2to
 {
+/** Asks the system for large pages in memory that is about to be filled; part of a large page stays as it is.
+ */
+void wishLargePages(void* from, std::size_t bytes);
+
 /** Zeroed memory for a large table that is filled in no order.
  *
  * It asks the system for large pages: with small ones, the first touch of each costs more than the work on

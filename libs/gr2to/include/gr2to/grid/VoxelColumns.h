@@ -82,7 +82,7 @@ class VoxelColumns
         const Word upTo = to == kBits ? ~Word{0} : (Word{1} << to) - 1;
         return upTo & ~((Word{1} << from) - 1);
     }
-    /** Without the processor's instruction, which not all have. */
+    /** Compilers make the processor's instruction of it where code is for processors that have one. */
     static int countBits(Word word)
     {
         word -= (word >> 1) & 0x5555555555555555U;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "gr2to/base/OptionTable.h"
+#include "gr2to/grid/VoxelBoxes.h"
 #include "gr2to/topology/TopologicalMap.h"
 
 namespace gr2to
@@ -14,6 +15,7 @@ namespace gr2to
 struct TSceneOptions : OptionTable
 {
     double wall_height = 2.5;   //!< of walls whose height was not measured [m]
+    double wall_opacity = 0.6;  //!< 1 hides what is behind a wall
     double door_height = 2.0;   //!< of doors whose height was not measured [m]
     bool graph = true;          //!< places and connections as a graph above the walls
     double graph_height = 3.5;  //!< above the floor [m]
@@ -30,6 +32,12 @@ struct TSceneOptions : OptionTable
  * overlay, real walls and doors as upright planes, virtual walls as lines on the floor, and the graph above.
  */
 mrpt::opengl::CSetOfObjects::Ptr drawMap(const TopologicalMap& map, const TSceneOptions& options = {});
+
+/** The occupied voxels of a 3D map as voxels of MRPT's scenes (mrpt::opengl::COctoMapVoxels), for the same
+ * frame: the higher the lighter. Floor and ceiling are left out where they are found (findRoomHeight()), as
+ * they would hide the rooms. \throws InputError  no voxel is left
+ */
+mrpt::opengl::CRenderizable::Ptr drawVoxels(const VoxelBoxes& voxels);
 
 /** A scene of the map with a camera that sees all of it, ready for MRPT's viewers. */
 mrpt::opengl::COpenGLScene::Ptr makeScene(const TopologicalMap& map, const TSceneOptions& options = {});
