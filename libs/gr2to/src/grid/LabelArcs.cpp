@@ -9,7 +9,7 @@ namespace gr2to
 {
 namespace
 {
-constexpr double kInside_cells = 0.25;  // how far from a corner that two cells share an arc passes it
+constexpr double kShort_cells = 0.25;  // how far from a corner that two cells share an arc leaves their sides
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /** The corner of four cells: the bottom-left one of cell (x, y). */
@@ -20,12 +20,20 @@ struct Corner
     Eigen::Vector2d point() const { return {x - 0.5, y - 0.5}; }
 };
 
-/** The corner beside one; directions count counter-clockwise from the right. */
+constexpr std::array<int, 4> kStepX{1, 0, -1, 0}, kStepY{0, 1, 0, -1};  // of the directions, from the right
+
+/** The corner beside one; directions count counter-clockwise. */
 Corner moved(Corner c, int direction)
 {
-    constexpr std::array<int, 4> dx{1, 0, -1, 0}, dy{0, 1, 0, -1};
     const auto d = static_cast<std::size_t>(direction);
-    return {c.x + dx[d], c.y + dy[d]};
+    return {c.x + kStepX[d], c.y + kStepY[d]};
+}
+
+/** The point on the way from a corner to the one beside it. */
+Eigen::Vector2d pointAfter(Corner c, int direction, double cells)
+{
+    const auto d = static_cast<std::size_t>(direction);
+    return c.point() + cells * Eigen::Vector2d(kStepX[d], kStepY[d]);
 }
 
 /** The labels around a corner and the ways that lead away from it. */
@@ -45,17 +53,19 @@ class Surroundings
     bool isWay(int direction) const { return left(direction) != right(direction); }
     bool isNode() const { return m_ways > 2 && m_joined < 0; }
 
-    /** The way on for who came along a direction; not at nodes. \param at  receives where the arc passes */
-    int wayOn(int direction, Eigen::Vector2d& at) const
+    /** Whether arcs pass here without meeting, around two cells over the corner. */
+    bool isPassedTwice() const { return m_joined >= 0; }
+
+    /** The way on for who came along a direction; not at nodes. */
+    int wayOn(int direction) const
     {
         const int back = (direction + 2) % 4;
-        if (m_joined < 0) {
+        if (!isPassedTwice()) {
             for (int turn = 1; turn < 4; ++turn)
                 if (isWay((back + turn) % 4)) return (back + turn) % 4;
             return back;
         }
         const int around = back % 2 == m_joined ? (back + 3) % 4 : back;  // the cell on the way's inner side
-        at += kInside_cells * Eigen::Vector2d(around == 0 || around == 3 ? 1 : -1, around < 2 ? 1 : -1);
         return back == around ? (around + 1) % 4 : around;
     }
 
@@ -155,6 +165,18 @@ class ArcTracer
         return to;
     }
 
+    /** The direction of an arc after a corner, which it gets when it turns there. */
+    static int turn(const Surroundings& here, Corner at, int direction, LabelArc& arc)
+    {
+        const int next = here.wayOn(direction);
+        if (here.isPassedTwice()) {
+            arc.points.push_back(pointAfter(at, (direction + 2) % 4, kShort_cells));
+            arc.points.push_back(pointAfter(at, next, kShort_cells));
+        } else if (next != direction)
+            arc.points.push_back(at.point());
+        return next;
+    }
+
     LabelArc startedAt(Corner c, int direction) const
     {
         LabelArc arc;
@@ -175,10 +197,7 @@ class ArcTracer
             at = step(at, direction);
             const Surroundings here = around(at);
             if (here.isNode()) break;
-            Eigen::Vector2d point = at.point();
-            const int next = here.wayOn(direction, point);
-            if (next != direction) arc.points.push_back(point);
-            direction = next;
+            direction = turn(here, at, direction, arc);
         }
         arc.points.push_back(at.point());
         const auto end = std::lower_bound(m_nodes.begin(), m_nodes.end(), index(at)) - m_nodes.begin();
@@ -198,10 +217,7 @@ class ArcTracer
         Corner at = start;
         do {
             at = step(at, direction);
-            Eigen::Vector2d point = at.point();
-            const int next = around(at).wayOn(direction, point);
-            if (next != direction) arc.points.push_back(point);
-            direction = next;
+            direction = turn(around(at), at, direction, arc);
         } while (index(at) != index(start) || direction != up);
         arc.points.insert(arc.points.begin(), arc.points.back());
         m_result.arcs.push_back(std::move(arc));

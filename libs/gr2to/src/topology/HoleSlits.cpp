@@ -17,15 +17,14 @@ Cell cellAbove(const Vector2d& corner)
     return {static_cast<int>(std::lround(corner.x() + 0.5)), static_cast<int>(std::lround(corner.y() + 0.5))};
 }
 
-/** A point in a cell on the left of a ring's first side. */
-Vector2d pointBeside(const LabelArcs& arcs, const LabelRing& ring)
+/** A point in a cell on the left of a ring. */
+Vector2d pointBeside(const std::vector<Vector2d>& corners)
 {
-    const auto& points = arcs.arcs[ring.sides.front().arc].points;
-    const bool reversed = ring.sides.front().reversed;
-    const Vector2d &from = points[reversed ? 1 : 0], &to = points[reversed ? 0 : 1];
-    const Vector2d along = (to - from).normalized();
-    constexpr double inside_cells = 0.4;  // clear of corners that are passed a quarter of a cell inside
-    return 0.5 * (from + to) + inside_cells * Vector2d(-along.y(), along.x());
+    constexpr double side_cells = 0.49, inside_cells = 0.4;  // sides of cut-off corners are shorter
+    std::size_t k = 0;
+    while (k + 2 < corners.size() && (corners[k + 1] - corners[k]).norm() < side_cells) ++k;
+    const Vector2d along = (corners[k + 1] - corners[k]).normalized();
+    return 0.5 * (corners[k] + corners[k + 1]) + inside_cells * Vector2d(-along.y(), along.x());
 }
 
 bool encloses(const std::vector<Vector2d>& polygon, const Vector2d& p)
@@ -44,8 +43,11 @@ class HoleChooser
 {
  public:
     HoleChooser(const LabelArcs& arcs, std::size_t count)
-        : m_arcs(arcs), m_main(mainRings(arcs, count)), m_holes(count + 1), m_cells(count + 1, 0)
+        : m_arcs(arcs), m_holes(count + 1), m_cells(count + 1, 0)
     {
+        for (const std::size_t r : mainRings(arcs, count))
+            if (r < arcs.rings.size())
+                m_places.push_back({pointBeside(cornersOf(arcs, arcs.rings[r])), arcs.rings[r].area_cells});
         for (std::size_t r = 0; r < arcs.rings.size(); ++r) {
             const LabelRing& ring = arcs.rings[r];
             m_cells[ring.label] += ring.area_cells;
@@ -73,17 +75,23 @@ class HoleChooser
  private:
     bool holdsPlace(const LabelRing& hole) const
     {
-        std::vector<Vector2d> polygon;
-        for (const std::size_t r : m_main) {
-            if (r == m_arcs.rings.size() || m_arcs.rings[r].area_cells > -hole.area_cells) continue;
-            if (polygon.empty()) polygon = cornersOf(m_arcs, hole);
-            if (encloses(polygon, pointBeside(m_arcs, m_arcs.rings[r]))) return true;
-        }
-        return false;
+        const auto mayHold = [&](const Inside& place) { return place.area_cells <= -hole.area_cells; };
+        if (std::none_of(m_places.begin(), m_places.end(), mayHold)) return false;
+        const std::vector<Vector2d> polygon = cornersOf(m_arcs, hole);
+        return std::any_of(m_places.begin(), m_places.end(), [&](const Inside& place) {
+            return mayHold(place) && encloses(polygon, place.point);
+        });
     }
 
+    /** A point of a place, and the area of the place's outline. */
+    struct Inside
+    {
+        Vector2d point;
+        double area_cells = 0;
+    };
+
     const LabelArcs& m_arcs;
-    std::vector<std::size_t> m_main;
+    std::vector<Inside> m_places;
     std::vector<std::vector<std::size_t>> m_holes;  //!< of each label
     std::vector<double> m_cells;                    //!< of each label
 };

@@ -54,7 +54,7 @@ double areaBeside(const std::vector<Eigen::Vector2d>& chain);
  *
  * Where two equal labels meet two others over a corner, as on a chequerboard, one equal pair is taken for
  * joined: that of label 0 (obstacles are 8-connected), else the only one, else the smaller label. Arcs then
- * pass the corner a quarter of a cell inside the cells of the other pair. So no ring touches itself or
+ * cut a quarter of a cell off the corners of the other pair. So no ring touches itself or
  * another ring of the same label, and a ring passes a node only once. Cost: linear in the number of cells,
  * quick where neighbours are equal, and in that of cell sides between different labels.
  */
