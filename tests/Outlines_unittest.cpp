@@ -51,26 +51,20 @@ PlaceId placeAt(const Extraction& e, const Vector2d& p)
     return e.grid.contains(c) ? e.places.at(c) : PlaceId{0};
 }
 
-/** How a border lies in a door: sideways of the wall's middle at most, and over how much of the wall. */
-struct BorderInDoor
+/** Farthest distance of a door's middle line, but for a cell and a half at either jamb, from the common sides
+ * of the outlines of the places that it joins [m]. */
+double distanceFromBorder(const Extraction& e, const BuildingDoor& door, PlaceId a, PlaceId b)
 {
-    double off_m = 0, width_m = 0;
-};
-
-BorderInDoor borderInDoor(const BuildingDoor& door, const Polygon& border)
-{
-    BorderInDoor found;
-    double first = 1e9, last = -1e9;
-    for (const Vector2d& p : border) {
-        const double along = across(door).dot(p - door.centre);
-        if (std::abs(along) > door.width_m / 2 + 0.15 || std::abs(passage(door).dot(p - door.centre)) > 1)
-            continue;  // another door between the same places
-        found.off_m = std::max(found.off_m, std::abs(passage(door).dot(p - door.centre)));
-        first = std::min(first, along);
-        last = std::max(last, along);
+    const auto sides = commonSides(polygonOf(e.map.place(a).boundary), polygonOf(e.map.place(b).boundary));
+    const double half = door.width_m / 2 - 1.5 * e.grid.resolution_m();
+    double farthest = 0;
+    for (double along = -half; along <= half; along += e.grid.resolution_m()) {
+        double nearest = 1e9;
+        for (const auto& [from, to] : sides)
+            nearest = std::min(nearest, distanceFromSide(door.centre + along * across(door), from, to));
+        farthest = std::max(farthest, nearest);
     }
-    found.width_m = std::max(0.0, last - first);
-    return found;
+    return farthest;
 }
 }  // namespace
 
@@ -101,7 +95,7 @@ TEST(Outlines, ofPlacesAsCirclesAreSharedAsWell)
             << nameOf(building);
 }
 
-TEST(Outlines, liePlanarInTheWallAtDoors)
+TEST(Outlines, lieInTheWallsPlaneAtDoors)
 {
     int doors = 0, inPlane = 0;
     for (const TBuildingOptions& options : variousBuildings()) {
@@ -112,19 +106,57 @@ TEST(Outlines, liePlanarInTheWallAtDoors)
             const PlaceId a = placeAt(e, door.centre - beyond), b = placeAt(e, door.centre + beyond);
             if (door.closed || a == 0 || b == 0 || a == b) continue;
             ++doors;
-            const BorderInDoor border = borderInDoor(
-                door, commonVertices(polygonOf(e.map.place(a).boundary), polygonOf(e.map.place(b).boundary)));
-            const double cell = e.grid.resolution_m();
-            if (border.off_m <= door.thickness_m / 2 + cell && border.width_m >= door.width_m - 2 * cell)
-                ++inPlane;
-            else
-                std::cerr << nameOf(options) << " door at " << door.centre.transpose() << " " << door.width_m
-                          << " thick " << door.thickness_m << " off " << border.off_m << " width "
-                          << border.width_m << "\n";
+            inPlane += distanceFromBorder(e, door, a, b) <= door.thickness_m / 2 + e.grid.resolution_m();
         }
     }
-    EXPECT_GT(doors, 100);
-    EXPECT_GE(inPlane, 0.97 * doors) << doors << " doors";
+    EXPECT_GT(doors, 400);
+    EXPECT_GE(inPlane, 0.995 * doors) << doors << " doors; a place that is cut wrongly may end beside one";
+}
+
+TEST(Outlines, lieOnTheStraightLineBetweenTheCornersOfAnOpening)
+{
+    ClassifiedGrid grid = solid(205, 102);
+    carve(grid, {1, 1}, {100, 100});
+    carve(grid, {104, 1}, {203, 100});
+    carve(grid, {101, 31}, {103, 70});
+    const Extraction e = Gr2To().extract(grid);
+    ASSERT_EQ(e.map.places().size(), 2u);
+    const auto sides = commonSides(polygonOf(e.map.place(1).boundary), polygonOf(e.map.place(2).boundary));
+    ASSERT_EQ(sides.size(), 1u);
+    const auto [from, to] = sides.front();
+    const double cell = grid.resolution_m();
+    for (const Vector2d& p : {from, to}) {
+        EXPECT_GE(p.x(), 101 * cell - 1e-9) << "between the faces of the wall";
+        EXPECT_LE(p.x(), 104 * cell + 1e-9);
+    }
+    EXPECT_EQ(from.x(), to.x());
+    EXPECT_NEAR(std::min(from.y(), to.y()), 31 * cell, 1e-9);
+    EXPECT_NEAR(std::max(from.y(), to.y()), 71 * cell, 1e-9);
+    for (const auto& [id, place] : e.map.places())
+        EXPECT_EQ(
+            std::count_if(place.walls.begin(), place.walls.end(), [](const Wall& w) { return !w.real; }), 1)
+            << "the opening";
+}
+
+TEST(Outlines, ofRoomsAreTheirWallsAndDoors)
+{
+    const Extraction e = Gr2To().extract(twoSquareRooms(17));
+    const Place& room = e.map.place(1);
+    EXPECT_EQ(room.boundary.size(), 8u) << "four corners and four at the door";
+    ASSERT_EQ(room.walls.size(), 4u) << "the closed door is a part of its wall";
+    for (const Wall& wall : room.walls) {
+        EXPECT_TRUE(wall.real);
+        EXPECT_NEAR(wall.size.length_m, 59 * 0.05, 4 * 0.05) << "with the corners' cells";
+        EXPECT_NEAR(std::max(std::abs(wall.normal.mean.x), std::abs(wall.normal.mean.y)), 1, 0.01);
+    }
+}
+
+TEST(Outlines, haveNoEffectOnPresetPaper)
+{
+    const Extraction e = Gr2To(Gr2ToOptions::preset("paper")).extract(twoSquareRooms(17));
+    for (const auto& [id, place] : e.map.places()) EXPECT_EQ(place.boundary.size(), 8u) << "an octagon";
+    EXPECT_THAT(commonSides(polygonOf(e.map.place(1).boundary), polygonOf(e.map.place(2).boundary)),
+                testing::IsEmpty());
 }
 
 TEST(Outlines, ofAnnotatedMapsOfIpa)

@@ -20,8 +20,7 @@ std::vector<Polygon> outlinesOf(const PlaceImage& places, std::size_t count, dou
 {
     const std::vector<Polygon> outlines = outlinePlaces(places, count, tolerance);
     EXPECT_EQ(outlines.size(), count + 1);
-    for (const Polygon& outline : outlines)
-        EXPECT_EQ(outline.empty() ? "" : whyNotSimple(outline), "");
+    for (const Polygon& outline : outlines) EXPECT_EQ(outline.empty() ? "" : whyNotSimple(outline), "");
     return outlines;
 }
 

@@ -79,6 +79,15 @@ TEST(SimplifiedArc, aSideThatBendsOffStepsRunsThroughTheirMiddle)
     }
 }
 
+/** Sides once ran askew along a whole wall, from its far end to the end of a door's border in the wall. */
+TEST(SimplifiedArc, aJogAtAnEndStaysAJog)
+{
+    const Polygon wallAndJog{{0, 0}, {40, 0}, {40, 30}, {39, 30}};
+    EXPECT_EQ(SimplifiedArc(wallAndJog, false, 1.5).vertices(), wallAndJog);
+    const Polygon jogsAtBothEnds{{0, 1}, {0, 0}, {40, 0}, {40, 1}};
+    EXPECT_EQ(SimplifiedArc(jogsAtBothEnds, false, 1.5).vertices(), jogsAtBothEnds);
+}
+
 TEST(SimplifiedArc, leftOutPointsAreWithinTheToleranceAndAreasAgree)
 {
     std::mt19937 random(7);

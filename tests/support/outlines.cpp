@@ -12,13 +12,8 @@ namespace
 using Eigen::Vector2d;
 
 constexpr double kArea = 0.02;
-constexpr double kJagged = 0.5;           // length of a border's sides, of that of the cells' sides at least
+constexpr double kJagged = 0.5;       // length of a border's sides, of that of the cells' sides at least
 constexpr std::size_t kFewSides = 6;  // cells side by side that say nothing of a border's length
-
-bool less(const Vector2d& a, const Vector2d& b)
-{
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-}
 
 bool encloses(const Polygon& polygon, const Vector2d& p)
 {
@@ -70,14 +65,13 @@ class OutlineCheck
     {
         const Polygon &p = a.second, &q = b.second;
         double common_m = 0;
+        for (const auto& [from, to] : commonSides(p, q)) common_m += (to - from).norm();
         for (std::size_t i = 0; i < p.size(); ++i)
             for (std::size_t j = 0; j < q.size(); ++j) {
                 const Vector2d &from = p[i], &to = p[(i + 1) % p.size()];
                 const Vector2d &start = q[j], &end = q[(j + 1) % q.size()];
-                if (from == end && to == start)
-                    common_m += (to - from).norm();
-                else if (from != start && from != end && to != start && to != end &&
-                         sidesMeet(from, to, start, end))
+                if (from != start && from != end && to != start && to != end &&
+                    sidesMeet(from, to, start, end))
                     return report(a.first, "meets place " + std::to_string(b.first) + " beside its vertices");
             }
         const std::size_t sides =
@@ -179,12 +173,13 @@ std::vector<std::string> breachesOfOutlines(const Extraction& e)
     return OutlineCheck(e).run();
 }
 
-Polygon commonVertices(const Polygon& a, const Polygon& b)
+std::vector<std::pair<Vector2d, Vector2d>> commonSides(const Polygon& a, const Polygon& b)
 {
-    Polygon sorted = b, common;
-    std::sort(sorted.begin(), sorted.end(), less);
-    for (const Vector2d& p : a)
-        if (std::binary_search(sorted.begin(), sorted.end(), p, less)) common.push_back(p);
+    std::vector<std::pair<Vector2d, Vector2d>> common;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        for (std::size_t j = 0; j < b.size(); ++j)
+            if (a[i] == b[(j + 1) % b.size()] && a[(i + 1) % a.size()] == b[j])
+                common.emplace_back(a[i], a[(i + 1) % a.size()]);
     return common;
 }
 }  // namespace gr2to::test

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gr2to/pipeline/Gr2To.h"
@@ -17,6 +18,6 @@ PlaceImage largestPatches(const PlaceImage& places);
  * and none, meet is a vertex of each; places with cells side by side have common sides about as long. */
 std::vector<std::string> breachesOfOutlines(const Extraction& e);
 
-/** Vertices that two outlines have in common, in the order of the first. */
-Polygon commonVertices(const Polygon& a, const Polygon& b);
+/** Sides that two outlines have in common, each from start to end on the first. */
+std::vector<std::pair<Eigen::Vector2d, Eigen::Vector2d>> commonSides(const Polygon& a, const Polygon& b);
 }  // namespace gr2to::test

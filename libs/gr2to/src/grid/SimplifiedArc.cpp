@@ -10,6 +10,10 @@ namespace
 {
 using Eigen::Vector2d;
 
+constexpr double kMostShift_cells = 0.75;  // the corners of steps are as far from their middle
+constexpr double kJog_cells = 0.5;         // less is no more than a step
+constexpr double kMuchCloser = 0.25;       // of the distance, when a side is no slope but has a jog
+constexpr int kMostSplits = 2;             // of a side with jogs at both ends, one after the other
 constexpr double kStraight = 0.3;  // sine of the turn below which two sides move their common vertex as one
 
 double cross(const Vector2d& a, const Vector2d& b)
@@ -37,7 +41,6 @@ SimplifiedArc::SimplifiedArc(const std::vector<Vector2d>& chain, bool closed, do
     : m_chain(&chain),
       m_closed(closed),
       m_tolerance(tolerance),
-      m_largestShift(tolerance),
       m_kept(chain.size(), false),
       m_pinned(chain.size(), false)
 {
@@ -85,11 +88,29 @@ void SimplifiedArc::choose(std::size_t first, std::size_t last)
         if (to - from < 2) continue;
         double distance = 0;
         const std::size_t middle = farthest(from, to, &distance);
-        if (distance <= m_tolerance) continue;
+        const bool atNode = !m_closed && (from == 0 || to + 1 == m_chain->size());
+        if (distance <= m_tolerance && !(atNode && hasJogs(from, to, distance))) continue;
         m_kept[middle] = true;
         open.emplace_back(from, middle);
         open.emplace_back(middle, to);
     }
+}
+
+/** Whether a few more vertices bring a side much closer to the chain: where a wall's face ends beside a node,
+ * a side without them would run askew from the wall's other end to the node. */
+bool SimplifiedArc::hasJogs(std::size_t first, std::size_t last, double distance) const
+{
+    return distance > kJog_cells && isReached(first, last, kMuchCloser * distance, kMostSplits);
+}
+
+bool SimplifiedArc::isReached(std::size_t first, std::size_t last, double distance, int splits) const
+{
+    if (last - first < 2) return true;
+    double least = 0;
+    const std::size_t middle = farthest(first, last, &least);
+    if (least <= distance) return true;
+    return splits > 0 && isReached(first, middle, distance, splits - 1) &&
+           isReached(middle, last, distance, splits - 1);
 }
 
 /** The point between two that is farthest from the side that joins them. */
@@ -138,7 +159,7 @@ Vector2d SimplifiedArc::shiftOf(std::size_t vertex, const std::vector<double>& l
         shift = (p * f + q * g) / (f + g) * (n + m).normalized();
     }
     const double length = shift.norm();
-    return length > m_largestShift ? Vector2d(shift * (m_largestShift / length)) : shift;
+    return length > kMostShift_cells ? Vector2d(shift * (kMostShift_cells / length)) : shift;
 }
 
 void SimplifiedArc::place()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gr2to/topology/MeasuredHeight.h"
 #include "gr2to/topology/WallFit.h"
@@ -16,7 +17,7 @@ using Eigen::Vector2d;
 
 constexpr double kShortest_cells = 0.5;  // a side below that has no direction
 constexpr double kAnyDirection = -1;     // least cosine between a side and the line that is fitted to it
-constexpr double kAlongSide = 0.9;       // within 26 degrees
+constexpr double kAlongSide = 0.98;      // within 11 degrees
 
 /** Whether all vertices of a polygon after `first` and before `last` are near the line between these two. */
 bool isStraight(const std::vector<Vector2d>& polygon, std::size_t first, std::size_t last, double tolerance)
@@ -58,15 +59,17 @@ std::vector<Wall> WallMaker::fromRuns(const std::vector<Vector2d>& outline, doub
     while (start < n && goesOn(start + n - 1, start + n)) ++start;
     std::vector<Wall> walls;
     for (std::size_t first = start, last; first < start + n; first = last) {
-        Side run = sides[first % n];
+        Side run = std::move(sides[first % n]);
         for (last = first + 1; last < start + n && goesOn(first, last); ++last) {
             const Side& next = sides[last % n];
             run.to = next.to;
             run.support.insert(run.support.end(), next.support.begin(), next.support.end());
         }
         if ((run.to - run.from).norm() < kShortest_cells) continue;
-        std::sort(run.support.begin(), run.support.end(), rasterLess);
-        run.support.erase(std::unique(run.support.begin(), run.support.end()), run.support.end());
+        if (last > first + 1) {
+            std::sort(run.support.begin(), run.support.end(), rasterLess);
+            run.support.erase(std::unique(run.support.begin(), run.support.end()), run.support.end());
+        }
         walls.push_back(wallAlong(run, kAlongSide));
     }
     return walls;

@@ -11,7 +11,7 @@ namespace gr2to
  * Vertices are chosen by Douglas and Peucker's rule. Then each one that is not pinned moves so that its sides
  * have as much of the chain's area on their left as on their right: along a wall askew to the grid, whose
  * cells form steps, a side runs through the middle of the steps. The first and the last point of an open
- * chain stay.
+ * chain stay; a jog between one of them and a straight stretch stays a jog, however small.
  */
 class SimplifiedArc
 {
@@ -34,6 +34,8 @@ class SimplifiedArc
 
  private:
     void choose(std::size_t first, std::size_t last);
+    bool hasJogs(std::size_t first, std::size_t last, double distance) const;
+    bool isReached(std::size_t first, std::size_t last, double distance, int splits) const;
     std::size_t farthest(std::size_t first, std::size_t last, double* distance) const;
     double lean(std::size_t side) const;
     Eigen::Vector2d shiftOf(std::size_t vertex, const std::vector<double>& leans) const;
@@ -42,7 +44,6 @@ class SimplifiedArc
     const std::vector<Eigen::Vector2d>* m_chain;
     bool m_closed;
     double m_tolerance;
-    double m_largestShift;
     std::vector<bool> m_kept;           //!< of the chain's points
     std::vector<bool> m_pinned;         //!< of the chain's points
     std::vector<std::size_t> m_chosen;  //!< the kept points
