@@ -151,6 +151,20 @@ TEST(Outlines, ofRoomsAreTheirWallsAndDoors)
     }
 }
 
+TEST(Outlines, haveNoWallsAlongTheSlitsOfRings)
+{
+    ClassifiedGrid grid = solid(202, 202);
+    carve(grid, {1, 1}, {200, 200});
+    for (int y = 41; y <= 160; ++y)
+        for (int x = 41; x <= 160; ++x) grid.set({x, y}, CellState::Occupied);
+    const Extraction e = Gr2To().extract(grid);
+    ASSERT_EQ(e.map.places().size(), 1u);
+    const Place& ring = e.map.place(1);
+    EXPECT_NEAR(areaOf(polygonOf(ring.boundary)), ring.area_m2, 0.02 * ring.area_m2);
+    EXPECT_GE(ring.walls.size(), 8u);
+    for (const Wall& wall : ring.walls) EXPECT_TRUE(wall.real) << "at " << wall.position.mean.asString();
+}
+
 TEST(Outlines, haveNoEffectOnPresetPaper)
 {
     const Extraction e = Gr2To(Gr2ToOptions::preset("paper")).extract(twoSquareRooms(17));

@@ -153,7 +153,8 @@ class MapMaker
             const Eigen::Vector2d p = m_grid.frame().toMap(vertex.x(), vertex.y());
             place.boundary.emplace_back(p.x(), p.y());
         }
-        place.walls = traced ? m_walls.fromRuns(outline, tolerance_cells()) : m_walls.fromSides(outline);
+        place.walls = traced ? m_walls.fromRuns(outline, tolerance_cells(), m_result.places, draft.id)
+                             : m_walls.fromSides(outline);
         return place;
     }
 

@@ -96,7 +96,8 @@ class HoleChooser
     std::vector<double> m_cells;                    //!< of each label
 };
 
-/** The cell of a hole that is farthest to the left, at the lower end of its side. */
+/** The cell of a hole that is farthest to the left, in the middle of its side: at a corner the slit would go
+ * on along another side. */
 Cell leftmostCell(const std::vector<Vector2d>& corners)
 {
     Cell best{0, 0};
@@ -105,7 +106,7 @@ Cell leftmostCell(const std::vector<Vector2d>& corners)
         const Cell from = cellAbove(corners[k]), to = cellAbove(corners[(k + 1) % corners.size()]);
         if (from.x != to.x || from.y >= to.y) continue;  // the place is on the left of sides that go up
         if (found && from.x >= best.x) continue;
-        best = from;
+        best = {from.x, (from.y + to.y - 1) / 2};
         found = true;
     }
     return best;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gr2to/grid/Jambs.h"
 #include "gr2to/topology/MeasuredHeight.h"
 #include "gr2to/topology/WallFit.h"
 #include "gr2to/topology/WallSupport.h"
@@ -16,8 +17,11 @@ namespace
 using Eigen::Vector2d;
 
 constexpr double kShortest_cells = 0.5;  // a side below that has no direction
-constexpr double kAnyDirection = -1;     // least cosine between a side and the line that is fitted to it
-constexpr double kAlongSide = 0.98;      // within 11 degrees
+constexpr double kHalfSlit_cells = 0.5;  // from a slit's side to its middle
+constexpr double kMostlyInside =
+    0.8;  // a side through the middle of steps has about half of its place beside it
+constexpr double kAnyDirection = -1;  // least cosine between a side and the line that is fitted to it
+constexpr double kAlongSide = 0.98;   // within 11 degrees
 
 /** Whether all vertices of a polygon after `first` and before `last` are near the line between these two. */
 bool isStraight(const std::vector<Vector2d>& polygon, std::size_t first, std::size_t last, double tolerance)
@@ -33,6 +37,21 @@ bool isStraight(const std::vector<Vector2d>& polygon, std::size_t first, std::si
     }
     return true;
 }
+/** Whether a place is on the right of a side of its own outline, but for some cells. */
+bool isInside(const Vector2d& from, const Vector2d& to, const PlaceImage& places, PlaceId id)
+{
+    const Vector2d along = to - from;
+    const Vector2d outwards = kHalfSlit_cells / along.norm() * Vector2d(along.y(), -along.x());
+    const int samples = std::max(1, static_cast<int>(along.norm()));  // one a cell
+    int inside = 0;
+    for (int k = 0; k < samples; ++k) {
+        const Vector2d p = from + (k + 0.5) / samples * along + outwards;
+        const Cell c{roundToCell(p.x()), roundToCell(p.y())};
+        const bool inImage = c.x >= 0 && c.y >= 0 && c.x < places.width && c.y < places.height;
+        inside += inImage && places.at(c) == id ? 1 : 0;
+    }
+    return inside > kMostlyInside * samples;
+}
 }  // namespace
 
 std::vector<Wall> WallMaker::fromSides(const std::vector<Vector2d>& outline)
@@ -45,7 +64,8 @@ std::vector<Wall> WallMaker::fromSides(const std::vector<Vector2d>& outline)
     return walls;
 }
 
-std::vector<Wall> WallMaker::fromRuns(const std::vector<Vector2d>& outline, double tolerance_cells)
+std::vector<Wall> WallMaker::fromRuns(const std::vector<Vector2d>& outline, double tolerance_cells,
+                                      const PlaceImage& places, PlaceId id)
 {
     const std::size_t n = outline.size();
     std::vector<Side> sides;
@@ -66,6 +86,7 @@ std::vector<Wall> WallMaker::fromRuns(const std::vector<Vector2d>& outline, doub
             run.support.insert(run.support.end(), next.support.begin(), next.support.end());
         }
         if ((run.to - run.from).norm() < kShortest_cells) continue;
+        if (!run.real && isInside(run.from, run.to, places, id)) continue;
         if (last > first + 1) {
             std::sort(run.support.begin(), run.support.end(), rasterLess);
             run.support.erase(std::unique(run.support.begin(), run.support.end()), run.support.end());

@@ -6,6 +6,7 @@
 
 #include "gr2to/grid/ClassifiedGrid.h"
 #include "gr2to/grid/HeightMap.h"
+#include "gr2to/grid/PlaceImage.h"
 #include "gr2to/topology/types.h"
 
 namespace gr2to
@@ -32,10 +33,13 @@ class WallMaker
     /** A wall for each run of sides that are all real or all virtual and straight but for a tolerance.
      *
      * A wall whose fitted line runs askew to its side, as where the side is as short as the wall is thick,
-     * has the line through the side's ends. \param outline  a simple polygon \param tolerance_cells  largest
-     * distance of a vertex from the line between the run's ends
+     * has the line through the side's ends. A virtual one with the place on both sides, as along a slit to a
+     * hole, delimits nothing and is left out. \param outline  a simple polygon \param tolerance_cells largest
+     * distance of a vertex from the line between the run's ends \param places  of the cells \param id  the
+     * outline's place
      */
-    std::vector<Wall> fromRuns(const std::vector<Eigen::Vector2d>& outline, double tolerance_cells);
+    std::vector<Wall> fromRuns(const std::vector<Eigen::Vector2d>& outline, double tolerance_cells,
+                               const PlaceImage& places, PlaceId id);
 
  private:
     /** A straight piece of an outline with the occupied cells beside it. */
