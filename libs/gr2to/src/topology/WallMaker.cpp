@@ -114,12 +114,10 @@ Wall WallMaker::wallAlong(const Side& side, double leastCosine)
     std::vector<Vector2d> support;
     support.reserve(side.support.size());
     for (const Cell c : side.support) support.push_back(frame.toMap(c));
-    bool fitted = side.real && support.size() >= 2;
+    const bool fitted = side.real && support.size() >= 2;
     LineFit fit = fitLine(fitted ? support : ends, m_grid.resolution_m());
-    if (fitted && std::abs(fit.direction.dot(along)) < leastCosine * along.norm()) {
-        fitted = false;
+    if (fitted && std::abs(fit.direction.dot(along)) < leastCosine * along.norm())
         fit = fitLine(ends, m_grid.resolution_m());
-    }
     Wall wall;
     wall.id = ++m_count;
     wall.real = side.real;
