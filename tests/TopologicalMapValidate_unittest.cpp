@@ -60,6 +60,10 @@ TEST(TopologicalMapValidate, findsWhatIsWrongWithAPlace)
         {[](auto& m) { m.place(3).boundary[1].x = NOT_A_NUMBER; },
          "place 3: boundary vertex 2 x = nan must be finite"},
         {[](auto& m) {
+             m.place(3).boundary = {{0, 0}, {4, 3}, {4, 0}, {0, 3}};
+         },
+         "place 3: boundary crosses itself: the sides from vertex 1 and from vertex 3; it must be simple"},
+        {[](auto& m) {
              m.place(3).words = {"a", ""};
          },
          "place 3: word 2 is empty; it must have at least one character"},
@@ -70,6 +74,13 @@ TEST(TopologicalMapValidate, findsWhatIsWrongWithAPlace)
         {[](auto& m) { m.place(3).words = {"caf\xE9"}; },
          "place 3: word 1 = 'caf\xE9' must be UTF-8 text without control characters"},
     });
+}
+
+TEST(TopologicalMapValidate, acceptsBoundariesThatTouchThemselves)
+{
+    TopologicalMap map = someMap();
+    map.place(3).boundary = {{0, 0}, {4, 0}, {4, 0}, {2, 2}, {2, 0}, {0, 2}};
+    EXPECT_THAT(map.validate(), testing::IsEmpty());
 }
 
 TEST(TopologicalMapValidate, findsWhatIsWrongWithAWall)

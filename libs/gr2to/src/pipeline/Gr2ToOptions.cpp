@@ -32,6 +32,7 @@ Gr2ToOptions Gr2ToOptions::preset(const std::string& name)
         options.place.narrow_opening = 0;
         options.place.lintel_width = 0;
         options.delimitation.corridor_elongation = 0;
+        options.delimitation.outline_tolerance = 0;
         options.place.one_door_per_candidate = true;
     } else if (name != "default")
         throw std::invalid_argument("unknown preset '" + name + "'; did you mean '" +

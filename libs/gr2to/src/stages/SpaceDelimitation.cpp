@@ -6,10 +6,10 @@
 #include "gr2to/base/errors.h"
 #include "gr2to/grid/Partition.h"
 #include "gr2to/topology/CorridorMerging.h"
-#include "gr2to/topology/MeasuredHeight.h"
+#include "gr2to/topology/DoorwayMaker.h"
 #include "gr2to/topology/Octagon.h"
-#include "gr2to/topology/WallFit.h"
-#include "gr2to/topology/WallSupport.h"
+#include "gr2to/topology/PlaceOutlines.h"
+#include "gr2to/topology/WallMaker.h"
 
 namespace gr2to
 {
@@ -17,13 +17,7 @@ namespace
 {
 constexpr double kPi = 3.14159265358979323846;
 
-mrpt::math::CMatrixDouble33 inSpace(const Eigen::Matrix2d& plane)
-{
-    mrpt::math::CMatrixDouble33 m;
-    for (int i = 0; i < 2; ++i)
-        for (int j = 0; j < 2; ++j) m(i, j) = plane(i, j);
-    return m;
-}
+constexpr double kSteps_cells = 1.5;  // as far apart as the corners of a digital line's steps may be
 
 /** Circles that were merged to one place, and what the map says of it. */
 struct PlaceDraft
@@ -45,6 +39,7 @@ class MapMaker
           m_options(options),
           m_closedGrid(grid),
           m_grower(m_closedGrid, distances, widestDoor_cells(graph)),
+          m_walls(m_closedGrid, heights, options.real_wall_ratio),
           m_neighbours(graph.circles.size())
     {
         for (const ValidatedDoor& door : graph.doors)
@@ -62,6 +57,8 @@ class MapMaker
         }
         draftPlaces();
         partitionCells();
+        if (m_options.outline_tolerance > 0)
+            m_outlines = outlinePlaces(m_result.places, m_drafts.size(), tolerance_cells());
         m_result.map.resolution_m = m_grid.resolution_m();
         for (const PlaceDraft& draft : m_drafts) m_result.map.addPlace(describe(draft));
         addConnections();
@@ -150,14 +147,14 @@ class MapMaker
                 : PlaceKind::Room;
         const Eigen::Vector2d center = m_grid.frame().toMap(m_graph.circles[draft.circles.front()].center);
         place.center = {center.x(), center.y(), m_heights.floor_m};
-        const std::vector<Eigen::Vector2d> outline = outlineOf(draft);
+        const bool traced = !m_outlines.empty() && !m_outlines[draft.id].empty();
+        const std::vector<Eigen::Vector2d> outline = traced ? m_outlines[draft.id] : octagonsOf(draft);
         for (const auto& vertex : outline) {
             const Eigen::Vector2d p = m_grid.frame().toMap(vertex.x(), vertex.y());
             place.boundary.emplace_back(p.x(), p.y());
         }
-        for (std::size_t k = 0; k < outline.size(); ++k)
-            if (const auto& next = outline[(k + 1) % outline.size()]; (next - outline[k]).norm() >= 0.5)
-                place.walls.push_back(wallBetween(outline[k], next));
+        place.walls = traced ? m_walls.fromRuns(outline, tolerance_cells(), m_result.places, draft.id)
+                             : m_walls.fromSides(outline);
         return place;
     }
 
@@ -170,7 +167,13 @@ class MapMaker
                area_m2 >= m_options.corridor_elongation * width_m * width_m;
     }
 
-    std::vector<Eigen::Vector2d> outlineOf(const PlaceDraft& draft) const
+    double tolerance_cells() const
+    {
+        return std::max(m_options.outline_tolerance / m_grid.resolution_m(), kSteps_cells);
+    }
+
+    /** An octagon, or the hull of several. */
+    std::vector<Eigen::Vector2d> octagonsOf(const PlaceDraft& draft) const
     {
         std::vector<Eigen::Vector2d> vertices;
         for (const std::size_t c : draft.circles) {
@@ -178,34 +181,6 @@ class MapMaker
             vertices.insert(vertices.end(), octagon.begin(), octagon.end());
         }
         return draft.circles.size() > 1 ? convexHull(std::move(vertices)) : vertices;
-    }
-
-    Wall wallBetween(const Eigen::Vector2d& from, const Eigen::Vector2d& to)
-    {
-        double covered = 0;
-        const std::vector<Cell> cells = wallSupport(m_closedGrid, from, to, &covered);
-        std::vector<Eigen::Vector2d> support;
-        support.reserve(cells.size());
-        for (const Cell c : cells) support.push_back(m_grid.frame().toMap(c));
-        Wall wall;
-        wall.id = ++m_wallCount;
-        wall.real = covered > m_options.real_wall_ratio;
-        if (!wall.real || support.size() < 2)
-            support = {m_grid.frame().toMap(from.x(), from.y()), m_grid.frame().toMap(to.x(), to.y())};
-        const LineFit fit = fitLine(support, m_grid.resolution_m());
-        wall.position.mean = {fit.center.x(), fit.center.y(), 0};
-        wall.position.covariance = inSpace(fit.centerCovariance);
-        const Eigen::Vector2d along = m_grid.frame().directionToMap(to - from);
-        Eigen::Vector2d normal(fit.direction.y(), -fit.direction.x());
-        if (normal.dot(Eigen::Vector2d(along.y(), -along.x())) < 0)
-            normal = -normal;  // outwards: outlines turn left
-        wall.normal.mean = {normal.x(), normal.y(), 0};
-        wall.normal.covariance = inSpace(fit.normalCovariance);
-        wall.size.length_m = wall.real ? fit.length_m : along.norm() * m_grid.resolution_m();
-        wall.size.covariance(0, 0) = fit.lengthVariance;
-        setHeight(m_heights, wall.real ? wallHeight(cells, m_heights) : std::nullopt, wall.position,
-                  wall.size);
-        return wall;
     }
 
     void addConnections()
@@ -217,40 +192,11 @@ class MapMaker
             if (connection.from == connection.to) continue;
             connection.id = static_cast<std::uint32_t>(m_result.map.graph().edgeCount() + 1);
             connection.doorway =
-                link.door >= 0 ? doorway(m_graph.doors[static_cast<std::size_t>(link.door)]) : opening(link);
+                link.door >= 0
+                    ? doorwayOf(m_graph.doors[static_cast<std::size_t>(link.door)], m_grid, m_heights)
+                    : openingOf(link, m_grid, m_heights);
             m_result.map.addConnection(connection);
         }
-    }
-
-    /** A door spans the gap between its jambs; each jamb is a cell whose position is known to the cell's
-     * size. */
-    Doorway doorway(const ValidatedDoor& door) const
-    {
-        const LineFit fit = fitLine({m_grid.frame().toMap(door.jambA), m_grid.frame().toMap(door.jambB)},
-                                    m_grid.resolution_m());
-        Doorway result;
-        result.position.mean = {fit.center.x(), fit.center.y(), 0};
-        result.position.covariance = inSpace(fit.centerCovariance);
-        result.size.length_m = fit.length_m - 2 * m_grid.resolution_m();  // from jamb face to jamb face
-        result.size.covariance(0, 0) = fit.lengthVariance;
-        result.real = true;
-        result.state = DoorState::Open;  // the grid shows free cells between the jambs
-        setHeight(m_heights, lintelHeight({m_grid, door.line, {door.jambA, door.jambB}}, m_heights),
-                  result.position, result.size);
-        return result;
-    }
-
-    Doorway opening(const PlaceLink& link) const
-    {
-        const Eigen::Vector2d at = m_grid.frame().toMap(link.at);
-        const double variance = m_grid.resolution_m() * m_grid.resolution_m() / 12.0;
-        Doorway result;
-        result.position.mean = {at.x(), at.y(), 0};
-        result.position.covariance = inSpace(Eigen::Matrix2d::Identity() * variance);
-        result.size.length_m = (2 * link.clearance_cells - 1) * m_grid.resolution_m();
-        result.size.covariance(0, 0) = 2 * variance;
-        setHeight(m_heights, std::nullopt, result.position, result.size);
-        return result;
     }
 
     const ClassifiedGrid& m_grid;
@@ -260,30 +206,36 @@ class MapMaker
     const TDelimitationOptions& m_options;
     ClassifiedGrid m_closedGrid;
     OctagonGrower m_grower;
+    WallMaker m_walls;
     std::vector<std::vector<Circle>> m_neighbours;  //!< circles joined to each circle
     std::vector<Cell> m_borders;  //!< cells of closed doors, then of openings between places
     std::vector<PlaceDraft> m_drafts;
     std::vector<PlaceId> m_idOfCircle;
     std::vector<std::size_t> m_cellsOfPlace;
-    std::uint32_t m_wallCount = 0;
+    std::vector<std::vector<Eigen::Vector2d>> m_outlines;  //!< by place id; empty for octagons
     DelimitedSpace m_result;
 };
 }  // namespace
 
 std::vector<OptionField> TDelimitationOptions::fields()
 {
-    return {{"real_wall_ratio", &real_wall_ratio, "ratio",
-             "A side of a place is a real wall when more than this part of it lies on occupied cells.", 0, 1},
-            {"corridor_radius_tolerance", &corridor_radius_tolerance, "ratio",
-             "Largest relative difference of circle radii that count as the same when corridors are merged.",
-             0, 1},
-            {"corridor_angle_tolerance", &corridor_angle_tolerance, "deg",
-             "Largest turn among three circles in a row that count as collinear when corridors are merged.",
-             0, 90},
-            {"corridor_elongation", &corridor_elongation, "ratio",
-             "A place is a corridor when its area is at least this many squares of its largest circle's "
-             "diameter; 0: only merged circles are.",
-             0, 100}};
+    return {
+        {"real_wall_ratio", &real_wall_ratio, "ratio",
+         "A side of a place is a real wall when more than this part of it lies on occupied cells.", 0, 1},
+        {"corridor_radius_tolerance", &corridor_radius_tolerance, "ratio",
+         "Largest relative difference of circle radii that count as the same when corridors are merged.", 0,
+         1},
+        {"corridor_angle_tolerance", &corridor_angle_tolerance, "deg",
+         "Largest turn among three circles in a row that count as collinear when corridors are merged.", 0,
+         90},
+        {"corridor_elongation", &corridor_elongation, "ratio",
+         "A place is a corridor when its area is at least this many squares of its largest circle's "
+         "diameter; 0: only merged circles are.",
+         0, 100},
+        {"outline_tolerance", &outline_tolerance, "m",
+         "Largest distance of a place's cells from the sides of its outline, at least a cell and a half; 0: "
+         "outlines are octagons.",
+         0, 1}};
 }
 
 SpaceDelimiter::SpaceDelimiter(TDelimitationOptions options) : m_options(std::move(options))

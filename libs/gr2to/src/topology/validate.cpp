@@ -1,6 +1,7 @@
 #include <cmath>
 #include <set>
 
+#include "crossingSides.h"
 #include "findings.h"
 #include "gr2to/topology/TopologicalMap.h"
 
@@ -58,10 +59,16 @@ void checkBoundary(Findings& findings, const std::string& where,
     if (!boundary.empty() && boundary.size() < 3)
         findings.add(where, "boundary has " + std::to_string(boundary.size()) +
                                 " vertices; it must have none or at least 3");
+    bool finite = true;
     for (std::size_t i = 0; i < boundary.size(); ++i) {
         const mrpt::math::TPoint3D vertex(boundary[i].x, boundary[i].y, 0);
-        findings.requireFinite(where, "boundary vertex " + std::to_string(i + 1), vertex);
+        finite = findings.requireFinite(where, "boundary vertex " + std::to_string(i + 1), vertex) && finite;
     }
+    if (!finite) return;
+    if (const auto sides = crossingSides(boundary))
+        findings.add(where, "boundary crosses itself: the sides from vertex " +
+                                std::to_string(sides->first + 1) + " and from vertex " +
+                                std::to_string(sides->second + 1) + "; it must be simple");
 }
 
 void checkPlace(Findings& findings, PlaceId key, const Place& place, std::set<std::uint32_t>& wallIds)

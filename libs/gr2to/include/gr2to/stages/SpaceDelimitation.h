@@ -16,6 +16,7 @@ struct TDelimitationOptions : OptionTable
     double corridor_radius_tolerance = 0.2;
     double corridor_angle_tolerance = 15;
     double corridor_elongation = 4;
+    double outline_tolerance = 0.075;
 
     std::string section() const override { return "delimitation"; }
     std::vector<OptionField> fields() override;
@@ -34,7 +35,8 @@ struct DelimitedSpace
  * Each circle gets an octagon whose vertices move to the farthest occupied cell seen in their beam, at most
  * to the distance of eq. (10); an octagon's side on occupied cells is a real wall, else a virtual one. Three
  * or more circles of the same radius in a row are one corridor, bounded by the convex hull of their octagons.
- * Source: Gr2To paper, section 4, fifth stage.
+ * With an outline tolerance the outlines follow the places' cells instead, neighbours share their vertices,
+ * and walls are their straight runs; see outlinePlaces(). Source: Gr2To paper, section 4, fifth stage.
  */
 class SpaceDelimiter
 {

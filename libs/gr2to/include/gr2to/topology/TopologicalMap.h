@@ -47,12 +47,12 @@ class TopologicalMap
     /** Everything that is wrong with the map, one line each; empty when the model's invariants hold.
      *
      * Places: ids from 1, a known kind, finite centre and area > 0, boundary of no or at least three finite
-     * vertices; walls with unique ids from 1, unit normals, lengths > 0, finite curvatures; connections with
-     * unique ids from 1 between two different existing places, the smaller id first, a known door state,
-     * width > 0. Heights, where present, > 0. Views with an image, apertures within [0, 2 pi], a finite time.
-     * Words non-empty UTF-8 without control characters. Every position finite; every covariance finite,
-     * exactly symmetric and positive semi-definite, zero for an absent height. Resolution positive and
-     * finite, a frame named, and frame, source and image names UTF-8.
+     * vertices whose sides do not cross; walls with unique ids from 1, unit normals, lengths > 0, finite
+     * curvatures; connections with unique ids from 1 between two different existing places, the smaller id
+     * first, a known door state, width > 0. Heights, where present, > 0. Views with an image, apertures
+     * within [0, 2 pi], a finite time. Words non-empty UTF-8 without control characters. Every position
+     * finite; every covariance finite, exactly symmetric and positive semi-definite, zero for an absent
+     * height. Resolution positive and finite, a frame named, and frame, source and image names UTF-8.
      */
     std::vector<std::string> validate() const;
 

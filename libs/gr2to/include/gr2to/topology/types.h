@@ -77,7 +77,7 @@ struct Place
     double area_m2 = 0;                    //!< A_r: area of its free cells
     mrpt::math::TPoint3D center{0, 0, 0};  //!< X_c
     std::vector<mrpt::math::TPoint2D>
-        boundary;  //!< counter-clockwise polygon [m], not repeating its first vertex
+        boundary;  //!< simple polygon [m], counter-clockwise, not repeating its first vertex
 };
 
 /** o of eq. (6): the last state seen. */
