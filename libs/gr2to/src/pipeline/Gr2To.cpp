@@ -40,6 +40,24 @@ class Clock
     std::chrono::steady_clock::time_point m_last = std::chrono::steady_clock::now();
 };
 
+/** Fourth stage: as circles along the Voronoi diagram, or cut along walls. */
+void constructPlaces(const ClassifiedGrid& grid, Obstacles obstacles, const HeightMap& heights,
+                     const Gr2ToOptions& options, Extraction& e)
+{
+    const PlaceBuilder builder(options.place);
+    e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
+    if (options.cut.along_walls) {
+        const PlaceCutter cutter(options.cut);
+        e.graph = cutter.build(
+            cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
+            e.walls.directions, e.voronoi, grid, obstacles, e.distances, options.door.min_width,
+            options.door.max_width);
+    } else
+        e.graph =
+            builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights),
+                          e.voronoi, grid, obstacles, e.distances, heights);
+}
+
 std::size_t countReal(const TopologicalMap& map)
 {
     std::size_t real = 0;
@@ -94,9 +112,6 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
         throw InputError("the grid has no occupied cell: nothing delimits a place");
     const Obstacles obstacles =
         m_options.distance.unknown_is_obstacle ? Obstacles::OccupiedOrUnknown : Obstacles::Occupied;
-    // The walls of a 3D map are faces one voxel thick with the unknown behind them: too little to find lines.
-    const bool alongWalls = m_options.cut.along_walls && heights.empty();
-    const PlaceBuilder builder(m_options.place);
     Extraction e;
     Clock clock(e.reports);
 
@@ -123,17 +138,7 @@ Extraction Gr2To::extract(const ClassifiedGrid& input, const HeightMap& heights)
     clock.report("Voronoi diagram", {{"nodes", e.voronoi.nodes.size()}, {"edges", e.voronoi.edges.size()}},
                  bytesOf(e.voronoi));
 
-    e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
-    if (alongWalls) {
-        const PlaceCutter cutter(m_options.cut);
-        e.graph = cutter.build(
-            cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
-            e.walls.directions, e.voronoi, grid, obstacles, e.distances, m_options.door.min_width,
-            m_options.door.max_width);
-    } else
-        e.graph =
-            builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights),
-                          e.voronoi, grid, obstacles, e.distances, heights);
+    constructPlaces(grid, obstacles, heights, m_options, e);
     clock.report("place construction",
                  {{"critical points", e.criticalPoints.size()},
                   {"circles", e.graph.circles.size()},
