@@ -48,10 +48,10 @@ void constructPlaces(const ClassifiedGrid& grid, Obstacles obstacles, const Heig
     e.criticalPoints = builder.criticalPoints(e.voronoi, e.distances, grid.resolution_m());
     if (options.cut.along_walls) {
         const PlaceCutter cutter(options.cut);
-        e.graph = cutter.build(
-            cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid, obstacles),
-            e.walls.directions, e.voronoi, grid, obstacles, e.distances, options.door.min_width,
-            options.door.max_width);
+        e.graph = cutter.build(cutter.candidates(e.walls.segments, e.walls.directions, e.criticalPoints, grid,
+                                                 obstacles, heights, options.place.lintel_width),
+                               e.walls.directions, e.voronoi, grid, obstacles, e.distances,
+                               options.door.min_width, options.door.max_width);
     } else
         e.graph =
             builder.build(builder.validate(e.doorCandidates, e.criticalPoints, grid, obstacles, heights),

@@ -49,7 +49,8 @@ PlaceCutter::PlaceCutter(TCutOptions options) : m_options(std::move(options))
 std::vector<CandidateCut> PlaceCutter::candidates(const std::vector<WallSegment>& segments,
                                                   const std::vector<LineDirection>& directions,
                                                   const std::vector<CriticalPoint>& points,
-                                                  const ClassifiedGrid& grid, Obstacles obstacles) const
+                                                  const ClassifiedGrid& grid, Obstacles obstacles,
+                                                  const HeightMap& heights, double maxLintel_m) const
 {
     const double resolution = grid.resolution_m();
     std::vector<CandidateCut> cuts =
@@ -59,6 +60,7 @@ std::vector<CandidateCut> PlaceCutter::candidates(const std::vector<WallSegment>
         cuts.push_back(std::move(cut));
     const CutEndRules ends{kThickestFin_m / resolution, kLongestFin_m / resolution, kSolid_m / resolution};
     for (CandidateCut& cut : cuts) cut.ends = examineEnds(grid, cut.direction, cut.cells, ends);
+    lookForLintels(grid, heights, maxLintel_m / resolution, cuts);
     return cuts;
 }
 

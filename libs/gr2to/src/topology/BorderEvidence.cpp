@@ -21,6 +21,7 @@ constexpr double kLength = -0.4;               // logarithm of the total length
 constexpr double kSolidEnd = -1.3;
 constexpr double kElongation = -0.9;  // logarithm, of the less elongated region
 constexpr double kMouth = 1.5;
+constexpr double kLintel = 5;  // not from the regression, whose maps are flat: lintels are built over doors
 
 // Measures beyond these say no more.
 constexpr double kShorterFin_m = 0.5;
@@ -77,6 +78,6 @@ double borderEvidence(const BorderMeasures& border, const MouthRules& mouth)
            kNarrowness * narrowness + kBetterRectangle * gainInRectangularity(border, leastElongation) +
            kLength * std::log(std::clamp(border.total_m, kShortest_m, kLongest_m)) +
            (border.solidEnd ? kSolidEnd : 0) + kElongation * leastElongation +
-           (isMouth(border, mouth) ? kMouth : 0);
+           (isMouth(border, mouth) ? kMouth : 0) + (border.lintel ? kLintel : 0);
 }
 }  // namespace gr2to

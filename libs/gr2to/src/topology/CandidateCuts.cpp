@@ -5,6 +5,7 @@
 
 #include "gr2to/grid/Circles.h"
 #include "gr2to/grid/Jambs.h"
+#include "gr2to/topology/MeasuredHeight.h"
 
 namespace gr2to
 {
@@ -105,6 +106,21 @@ std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vec
         cuts.push_back(std::move(cut));
     }
     return cuts;
+}
+
+void lookForLintels(const ClassifiedGrid& grid, const HeightMap& heights, double maxLength_cells,
+                    std::vector<CandidateCut>& cuts)
+{
+    if (heights.empty()) return;
+    for (CandidateCut& cut : cuts) {
+        const LineDirection& d = cut.direction;
+        if (static_cast<double>(cut.cells.size()) * d.stretch() > maxLength_cells) continue;
+        const bool upwards = d.step(cut.cells.front()) <= d.step(cut.cells.back());
+        const Cell low = upwards ? cut.cells.front() : cut.cells.back();
+        const Cell high = upwards ? cut.cells.back() : cut.cells.front();
+        const Jambs jambs{d.cell(d.step(low) - 1, d.row(low)), d.cell(d.step(high) + 1, d.row(high))};
+        cut.lintel = hasLintel({grid, cut.cells, jambs}, heights);
+    }
 }
 
 std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles,

@@ -234,6 +234,7 @@ class Merger
         border.shorterFin_m = std::min(low.fin_cells, high.fin_cells) * m_resolution_m;
         border.longerFin_m = std::max(low.fin_cells, high.fin_cells) * m_resolution_m;
         border.solidEnd = low.solid || high.solid;
+        border.lintel = cut.lintel;
     }
 
     /** Pieces of a cut that go on between the same two regions are one border. */

@@ -40,11 +40,13 @@ class PlaceCutter
     /** \throws std::invalid_argument  an option is out of range */
     explicit PlaceCutter(TCutOptions options);
 
-    /** Where borders may run. */
+    /** Where borders may run. \param heights  of a 3D map, empty of others
+     * \param maxLintel_m  width of the widest passage under a lintel */
     std::vector<CandidateCut> candidates(const std::vector<WallSegment>& segments,
                                          const std::vector<LineDirection>& directions,
                                          const std::vector<CriticalPoint>& points, const ClassifiedGrid& grid,
-                                         Obstacles obstacles) const;
+                                         Obstacles obstacles, const HeightMap& heights,
+                                         double maxLintel_m) const;
 
     /** Places, their doors and openings. \param directions  that the walls run in
      * \param minDoor_m, maxDoor_m  how narrow and how wide a door is */

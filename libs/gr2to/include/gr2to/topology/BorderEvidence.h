@@ -21,6 +21,7 @@ struct BorderMeasures
     double shorterFin_m = 0;         //!< wall in line with the border at its ends, see CutEnd
     double longerFin_m = 0;
     bool solidEnd = false;  //!< the border ends at something as deep as wide
+    bool lintel = false;    //!< a 3D map shows a lintel over it
 };
 
 struct MouthRules
@@ -32,10 +33,11 @@ struct MouthRules
 /** Log odds that people see two places where a border parts two regions [nat]: positive for two, negative
  * for one.
  *
- * A sum of evidence, each term a measure that needs no map's scale but the metre: a door or a wall's end in
- * line with the border speak for it, a space that is as open as it is wide, furniture at the border's end and
- * a whole that is as good a rectangle as its parts against it. The weights are those of a logistic regression
- * on decisions that annotated buildings settle; doc/algorithm.md tells how.
+ * A sum of evidence, each term a measure that needs no map's scale but the metre: a lintel, a
+ * narrow passage or a wall's end in line with the border speak for it, a space that is as open as it is wide,
+ * furniture at the border's end and a whole that is as good a rectangle as its parts against it. The weights
+ * are those of a logistic regression on decisions that annotated buildings settle; doc/algorithm.md tells
+ * how.
  */
 double borderEvidence(const BorderMeasures& border, const MouthRules& mouth);
 }  // namespace gr2to

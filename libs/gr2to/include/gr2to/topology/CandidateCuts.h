@@ -5,6 +5,7 @@
 
 #include "gr2to/grid/ClassifiedGrid.h"
 #include "gr2to/grid/DistanceMap.h"
+#include "gr2to/grid/HeightMap.h"
 #include "gr2to/grid/VoronoiGraph.h"
 #include "gr2to/grid/WallSegments.h"
 #include "gr2to/topology/CutEnds.h"
@@ -27,6 +28,7 @@ struct CandidateCut
     int row = 0;  //!< of the cut's middle
     std::vector<Cell> cells;
     std::array<CutEnd, 2> ends;  //!< at the lowest step, and at the highest
+    bool lintel = false;         //!< a 3D map shows a lintel over it
 };
 
 /** Extends walls beyond their ends: towards the end of a wall that goes on in the same direction, else to the
@@ -34,6 +36,10 @@ struct CandidateCut
 std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
                                       const std::vector<LineDirection>& directions, double maxLength_cells,
                                       double lateral_cells, double skip_cells);
+
+/** Notes which cuts run under a lintel, of those no longer than that. */
+void lookForLintels(const ClassifiedGrid& grid, const HeightMap& heights, double maxLength_cells,
+                    std::vector<CandidateCut>& cuts);
 
 /** The critical lines of critical points as narrow as that. */
 std::vector<CandidateCut> criticalCuts(const ClassifiedGrid& grid, Obstacles obstacles,
