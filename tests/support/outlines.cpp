@@ -77,7 +77,7 @@ class OutlineCheck
         const std::size_t sides =
             m_sides.empty() ? countSides(a.first, b.first) : m_sides[{a.first, b.first}];
         const double length_m = static_cast<double>(sides) * m_extraction.grid.resolution_m();
-        if (sides >= kFewSides && (common_m < kJagged * length_m || common_m > 1.01 * length_m))
+        if (sides >= kFewSides && (common_m < kJagged * length_m || common_m > 1.02 * length_m))
             report(a.first, "has " + std::to_string(common_m) + " m in common with place " +
                                 std::to_string(b.first) + ", cells " + std::to_string(length_m) + " m");
     }

@@ -135,6 +135,18 @@ class MapMaker
         result.real = chance(0.5);
         return result;
     }
+    /** A simple polygon: its vertices in the order of their directions from a point inside. */
+    decltype(Place::boundary) star(std::size_t vertices)
+    {
+        decltype(Place::boundary) polygon;
+        for (std::size_t k = 0; k < vertices; ++k) {
+            const double angle =
+                6.28318530717958647693 * static_cast<double>(k) / static_cast<double>(vertices);
+            const double radius = 1 + static_cast<double>(below(1000)) / 7;
+            polygon.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        }
+        return polygon;
+    }
     Place place(PlaceId id)
     {
         Place result;
@@ -145,9 +157,7 @@ class MapMaker
         for (std::size_t i = below(3); i > 0; --i) result.views.push_back(view());
         result.area_m2 = oddPositive();
         result.center = point();
-        if (chance(0.8))
-            for (std::size_t i = 3 + below(6); i > 0; --i)
-                result.boundary.emplace_back(oddNumber(), oddNumber());
+        if (chance(0.8)) result.boundary = star(3 + below(6));
         return result;
     }
     /** One connection, or two or three parallel ones, with ids that do not follow the order of their ends. */

@@ -99,6 +99,27 @@ mrpt::poses::CPose3DPDFGaussian poseOf(const Place& place, double resolution_m)
     return pose;
 }
 
+/** From the centre, and of a corridor, which nobody sees whole from there, from its doorways too. */
+std::vector<CObservation2DRangeScan::Ptr> scansOf(const Place& place,
+                                                  const std::vector<Connection>& connections,
+                                                  const ClassifiedGrid& grid,
+                                                  const TSimplemapOptions& options)
+{
+    std::vector<CObservation2DRangeScan::Ptr> scans;
+    const auto castFrom = [&](const mrpt::math::TPoint3D& at) {
+        const ScanCaster caster(grid, at);
+        if (!caster.startsFree()) return;
+        scans.push_back(caster.cast(options));
+        scans.back()->sensorPose =
+            mrpt::poses::CPose3D(at.x - place.center.x, at.y - place.center.y, 0, 0, 0, 0);
+    };
+    castFrom(place.center);
+    if (place.kind != PlaceKind::Corridor) return scans;
+    for (const Connection& c : connections)
+        if (c.from == place.id || c.to == place.id) castFrom(c.doorway.position.mean);
+    return scans;
+}
+
 mrpt::obs::CObservationImage::Ptr imageOf(const View& view, const Place& place)
 {
     auto image = mrpt::obs::CObservationImage::Create();
@@ -123,6 +144,7 @@ mrpt::maps::CSimpleMap toSimplemap(const TopologicalMap& map, const ClassifiedGr
 {
     options.check();
     mrpt::maps::CSimpleMap keyframes;
+    const std::vector<Connection> connections = map.connections();
     for (const auto& [id, place] : map.places()) {
         auto frame = mrpt::obs::CSensoryFrame::Create();
         const auto add = [&](const mrpt::obs::CObservation::Ptr& observation, double time_s) {
@@ -130,8 +152,7 @@ mrpt::maps::CSimpleMap toSimplemap(const TopologicalMap& map, const ClassifiedGr
             observation->sensorLabel = kLabel;
             frame->insert(observation);
         };
-        const ScanCaster caster(grid, place.center);
-        if (caster.startsFree()) add(caster.cast(options), id);
+        for (const auto& scan : scansOf(place, connections, grid, options)) add(scan, id);
         auto comment = mrpt::obs::CObservationComment::Create();
         comment->text = toXml(place);
         add(comment, id);

@@ -1,7 +1,10 @@
 #include "gr2to/topology/RegionGraph.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 
 #include "gr2to/base/errors.h"
 #include "gr2to/grid/Jambs.h"
@@ -14,24 +17,46 @@ namespace
 struct Measures
 {
     std::size_t cells = 0;
-    std::int32_t squaredRadius = -1;
-    std::size_t center = 0;  // first cell of the largest clearance
+    std::int32_t squaredRadius = -1;  // of the largest circle
+    Eigen::Vector2d mean = Eigen::Vector2d::Zero();
+    std::size_t center = 0;
     bool hasBorder = false;
 };
 
+/** The cell of a region nearest to its mean of those whose circle is the largest to a cell: half-way along a
+ * corridor. */
+void findCenters(const Regions& regions, const DistanceMap& distances, std::vector<Measures>& measures)
+{
+    const auto width = static_cast<std::size_t>(distances.width);
+    std::vector<double> nearest(measures.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> least(measures.size());
+    for (std::size_t r = 0; r < measures.size(); ++r)
+        least[r] = std::pow(std::max(0.0, std::sqrt(std::max(0, measures[r].squaredRadius)) - 1), 2);
+    for (std::size_t i = 0; i < regions.ofCell.size(); ++i) {
+        const auto r = static_cast<std::size_t>(regions.ofCell[i]);
+        if (r == 0 || distances.squared[i] < least[r]) continue;
+        const Eigen::Vector2d at(static_cast<double>(i % width), static_cast<double>(i / width));
+        if (const double distance = (at - measures[r].mean).squaredNorm(); distance < nearest[r]) {
+            nearest[r] = distance;
+            measures[r].center = i;
+        }
+    }
+}
+
 std::vector<Measures> measure(const Regions& regions, const DistanceMap& distances)
 {
+    const auto width = static_cast<std::size_t>(distances.width);
     std::vector<Measures> measures(static_cast<std::size_t>(regions.count) + 1);
     for (std::size_t i = 0; i < regions.ofCell.size(); ++i) {
+        if (regions.ofCell[i] == 0) continue;
         Measures& m = measures[static_cast<std::size_t>(regions.ofCell[i])];
         ++m.cells;
-        if (distances.squared[i] <= m.squaredRadius) continue;
-        m.squaredRadius = distances.squared[i];
-        m.center = i;
+        m.squaredRadius = std::max(m.squaredRadius, distances.squared[i]);
+        m.mean += Eigen::Vector2d(static_cast<double>(i % width), static_cast<double>(i / width));
     }
-    for (const RegionBorder& border : regions.borders)
-        measures[static_cast<std::size_t>(border.from)].hasBorder =
-            measures[static_cast<std::size_t>(border.to)].hasBorder = true;
+    for (Measures& m : measures)
+        if (m.cells > 0) m.mean /= static_cast<double>(m.cells);
+    findCenters(regions, distances, measures);
     return measures;
 }
 
@@ -62,13 +87,23 @@ std::vector<int> choosePlaces(const std::vector<Measures>& measures, const Regio
     return number;
 }
 
-/** Lengthens a border to the far ends of another one beside it: one opening that two cuts share. */
-void lengthen(RegionBorder& border, const RegionBorder& other)
+/** Whether all cells of a line but its ends are free. */
+bool isFreeBetween(const ClassifiedGrid& grid, Cell a, Cell b)
+{
+    const std::vector<Cell> line = lineCells(a, b);
+    return line.size() > 2 &&
+           std::all_of(line.begin() + 1, line.end() - 1, [&](Cell c) { return grid.isFree(c); });
+}
+
+/** Lengthens a border to the far ends of another one beside it, when nothing stands between them: one opening
+ * that two cuts share. */
+void lengthen(const ClassifiedGrid& grid, RegionBorder& border, const RegionBorder& other)
 {
     const std::array<Cell, 4> ends{border.jambA, border.jambB, other.jambA, other.jambB};
     for (const Cell a : ends)
         for (const Cell b : ends)
-            if (const double length = distance_cells(a, b) - 1; length > border.length_cells) {
+            if (const double length = distance_cells(a, b) - 1;
+                length > border.length_cells && isFreeBetween(grid, a, b)) {
                 border.length_cells = length;
                 border.jambA = a;
                 border.jambB = b;
@@ -77,7 +112,8 @@ void lengthen(RegionBorder& border, const RegionBorder& other)
 
 /** Borders between the same places that lie side by side are one: the longest, lengthened when too short for
  * a door. */
-std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders, double minDoor_cells)
+std::vector<RegionBorder> separateBorders(const ClassifiedGrid& grid, std::vector<RegionBorder> borders,
+                                          double minDoor_cells)
 {
     std::stable_sort(borders.begin(), borders.end(), [](const RegionBorder& a, const RegionBorder& b) {
         if (a.from != b.from) return a.from < b.from;
@@ -98,7 +134,7 @@ std::vector<RegionBorder> separateBorders(std::vector<RegionBorder> borders, dou
         if (beside == kept.end())
             kept.push_back(border);
         else if (beside->length_cells < minDoor_cells)
-            lengthen(*beside, border);
+            lengthen(grid, *beside, border);
     }
     return kept;
 }
@@ -111,27 +147,20 @@ Cell widestCell(const RegionBorder& border, const DistanceMap& distances)
     });
 }
 
-/** Whether two lines are parallel within 45 degrees. */
-bool runAlike(Cell a, Cell b, Cell c, Cell d)
-{
-    const double dot =
-        static_cast<double>(b.x - a.x) * (d.x - c.x) + static_cast<double>(b.y - a.y) * (d.y - c.y);
-    return dot * dot >= 0.5 * std::pow(distance_cells(a, b) * distance_cells(c, d), 2);
-}
-
 /** A border that crosses a doorway askew is longer than the doorway is wide: the jambs are the obstacles
- * nearest to its middle, unless those stand in front of it. */
+ * nearest to its middle, if they stand about where the border ends. */
 void straighten(RegionBorder& border, const ClassifiedGrid& grid, Obstacles obstacles,
-                const DistanceMap& distances)
+                const DistanceMap& distances, double reach_cells)
 {
     if (border.cells.empty()) return;
     const Cell middle = widestCell(border, distances);
     const auto jambs = findJambs(grid, obstacles, middle, distances.clearance_cells(middle));
     if (!jambs) return;
     const double width_cells = distance_cells(jambs->nearest, jambs->facing) - 1;
-    if (width_cells >= border.length_cells ||
-        !runAlike(jambs->nearest, jambs->facing, border.jambA, border.jambB))
-        return;
+    const auto isNear = [&](Cell a, Cell b) { return distance_cells(a, b) <= reach_cells; };
+    const bool sameWay = isNear(jambs->nearest, border.jambA) && isNear(jambs->facing, border.jambB);
+    const bool otherWay = isNear(jambs->nearest, border.jambB) && isNear(jambs->facing, border.jambA);
+    if (width_cells >= border.length_cells || !(sameWay || otherWay)) return;
     border.jambA = jambs->nearest;
     border.jambB = jambs->facing;
     border.length_cells = width_cells;
@@ -140,8 +169,6 @@ void straighten(RegionBorder& border, const ClassifiedGrid& grid, Obstacles obst
 void addLink(const RegionBorder& border, const std::vector<int>& number, const DistanceMap& distances,
              const RegionGraphRules& rules, PlaceGraph& graph)
 {
-    constexpr double cell = 1;  // a narrow passage may be a cell narrower in the grid than it is
-    if (border.length_cells < rules.minDoor_cells - cell) return;
     PlaceLink link;
     const auto [from, to] = std::minmax(number[static_cast<std::size_t>(border.from)],
                                         number[static_cast<std::size_t>(border.to)]);
@@ -158,12 +185,31 @@ void addLink(const RegionBorder& border, const std::vector<int>& number, const D
     }
     graph.links.push_back(link);
 }
+
+/** The borders that are wide enough to go through. */
+std::vector<RegionBorder> passagesOf(const Regions& regions, const ClassifiedGrid& grid, Obstacles obstacles,
+                                     const DistanceMap& distances, const RegionGraphRules& rules)
+{
+    constexpr double cell = 1;  // a narrow passage may be a cell narrower in the grid than it is
+    std::vector<RegionBorder> passages = separateBorders(grid, regions.borders, rules.minDoor_cells);
+    for (RegionBorder& border : passages) straighten(border, grid, obstacles, distances, rules.minDoor_cells);
+    passages.erase(std::remove_if(passages.begin(), passages.end(),
+                                  [&](const RegionBorder& border) {
+                                      return border.length_cells < rules.minDoor_cells - cell;
+                                  }),
+                   passages.end());
+    return passages;
+}
 }  // namespace
 
 PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
                           Obstacles obstacles, const DistanceMap& distances, const RegionGraphRules& rules)
 {
-    const std::vector<Measures> measures = measure(regions, distances);
+    const std::vector<RegionBorder> passages = passagesOf(regions, grid, obstacles, distances, rules);
+    std::vector<Measures> measures = measure(regions, distances);
+    for (const RegionBorder& border : passages)
+        measures[static_cast<std::size_t>(border.from)].hasBorder =
+            measures[static_cast<std::size_t>(border.to)].hasBorder = true;
     std::vector<std::size_t> order;
     const std::vector<int> number = choosePlaces(measures, rules, order);
     PlaceGraph graph;
@@ -171,12 +217,9 @@ PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, c
     for (const std::size_t r : order) {
         const Cell center{static_cast<int>(measures[r].center % width),
                           static_cast<int>(measures[r].center / width)};
-        graph.circles.push_back({center, std::sqrt(static_cast<double>(measures[r].squaredRadius))});
+        graph.circles.push_back({center, distances.clearance_cells(center)});
     }
-    for (RegionBorder& border : separateBorders(regions.borders, rules.minDoor_cells)) {
-        straighten(border, grid, obstacles, distances);
-        addLink(border, number, distances, rules, graph);
-    }
+    for (const RegionBorder& border : passages) addLink(border, number, distances, rules, graph);
     std::sort(graph.links.begin(), graph.links.end(), [](const PlaceLink& a, const PlaceLink& b) {
         if (a.from != b.from) return a.from < b.from;
         if (a.to != b.to) return a.to < b.to;

@@ -30,6 +30,7 @@ struct TSimplemapOptions : OptionTable
  *   as an MRPT grid inserts it; its range ends in the middle of what it crosses of the first occupied cell. A
  *   ray that ends at an unknown cell or at the grid's border, or only grazes a corner of an occupied cell, is
  *   invalid; its range is the free length.
+ *   A corridor has more of them, one from each doorway, since nobody sees it whole from its centre;
  * - a CObservationComment with the place's XML element;
  * - a CObservationImage for each view, its image stored externally.
  *

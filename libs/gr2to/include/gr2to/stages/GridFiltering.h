@@ -10,7 +10,7 @@ struct TFilterOptions : OptionTable
 {
     double max_blob_area = 2;
     double min_wall = 0.8;
-    double max_wall_thickness = 0.4;
+    double max_wall_thickness = 0.6;
 
     std::string section() const override { return "filter"; }
     std::vector<OptionField> fields() override;
