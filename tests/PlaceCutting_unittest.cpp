@@ -6,6 +6,7 @@
 
 #include "gr2to/pipeline/Gr2To.h"
 #include "gr2to/topology/FaceMerging.h"
+#include "support/drawMap.h"
 #include "support/messageOf.h"
 #include "support/rooms.h"
 
@@ -92,6 +93,28 @@ TEST(PlaceCutting, aPieceOfWallBetweenTwoDoorsStays)
     const Extraction e = extract(grid);
     EXPECT_EQ(e.map.places().size(), 2u);
     EXPECT_EQ(e.map.graph().edgeCount(), 2u);
+}
+
+TEST(PlaceCutting, aWallBrokenByGapsPartsRoomsAllTheSame)
+{
+    ClassifiedGrid grid = test::twoSquareRooms(17);
+    carve(grid, {60, 1}, {61, 3});
+    carve(grid, {60, 14}, {61, 16});
+    carve(grid, {60, 48}, {61, 50});
+    carve(grid, {60, 58}, {61, 60});  // pieces of 0.5 m stand free
+    EXPECT_EQ(extract(grid).map.places().size(), 2u);
+}
+
+/** Cuts have gaps where unknown cells are no obstacles; a border with no cell of its own once crashed. */
+TEST(PlaceCutting, cutsMayCrossUnknownCells)
+{
+    Gr2ToOptions options;
+    options.distance.unknown_is_obstacle = false;
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ClassifiedGrid grid = test::randomMap(120, 90, seed, 0.02, 0.06);
+        EXPECT_THAT(Gr2To(options).extract(grid).map.validate(), testing::IsEmpty());
+    }
 }
 
 TEST(PlaceCutting, optionsOutOfRangeAreRefused)

@@ -27,21 +27,52 @@ std::vector<std::size_t> sizesOfRegions(Runs& runs, std::size_t width, std::size
     return sizes;
 }
 
+/** The cells in the middle of a straight stretch, from its begin to its end. */
+std::vector<Cell> middleOf(const WallSegment& s, const LineDirection& direction)
+{
+    std::vector<Cell> cells;
+    for (int step = s.begin; step <= s.end; ++step) {
+        const double part = static_cast<double>(step - s.begin) / std::max(1, s.end - s.begin);
+        cells.push_back(
+            direction.cell(step, s.beginRow + static_cast<int>(std::lround(part * (s.endRow - s.beginRow)))));
+    }
+    return cells;
+}
+
 /** Whether a straight stretch is as thin as a wall for half of its length or more. */
-bool isThin(const ClassifiedGrid& grid, const LineDirection& direction, const WallSegment& s,
+bool isThin(const ClassifiedGrid& grid, const LineDirection& direction, const std::vector<Cell>& middle,
             double most_cells)
 {
     const int most = static_cast<int>(most_cells * direction.stretch());  // rows
-    int thin = 0;
-    for (int step = s.begin; step <= s.end; ++step) {
-        const double part = static_cast<double>(step - s.begin) / std::max(1, s.end - s.begin);
-        const int row = s.beginRow + static_cast<int>(std::lround(part * (s.endRow - s.beginRow)));
+    std::size_t thin = 0;
+    for (const Cell c : middle) {
+        const int step = direction.step(c), row = direction.row(c);
         int up = 0, down = 0;
         while (up <= most && !grid.isFree(direction.cell(step, row + up))) ++up;
         while (down <= most && !grid.isFree(direction.cell(step, row - down))) ++down;
         thin += up + down - 1 <= most ? 1 : 0;
     }
-    return 2 * thin >= s.end - s.begin + 1;
+    return 2 * thin >= middle.size();
+}
+
+/** The blobs that are pieces of wall, by the roots of their runs: all that a long and thin stretch runs over,
+ * gaps in it being gaps of the map. */
+std::vector<bool> findWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
+                            const std::vector<LineDirection>& directions, const TFilterOptions& options,
+                            Runs& runs)
+{
+    std::vector<bool> isWall(runs.runs().size(), false);
+    const double resolution = grid.resolution_m();
+    for (const WallSegment& s : segments) {
+        const LineDirection& direction = directions[s.direction];
+        if ((s.end - s.begin + 1) * direction.stretch() * resolution < options.min_wall) continue;
+        const std::vector<Cell> middle = middleOf(s, direction);
+        if (!isThin(grid, direction, middle, options.max_wall_thickness / resolution)) continue;
+        isWall[runs.root(runs.find(grid.index(s.cell)))] = true;
+        for (const Cell c : middle)
+            if (grid.contains(c) && !grid.isFree(c)) isWall[runs.root(runs.find(grid.index(c)))] = true;
+    }
+    return isWall;
 }
 }  // namespace
 
@@ -73,12 +104,7 @@ FilteredGrid GridFilter::filter(const ClassifiedGrid& grid, const std::vector<Wa
               [&](std::size_t i) { return grid[i] != CellState::Free; });
     const std::vector<std::size_t> sizes =
         sizesOfRegions(runs, static_cast<std::size_t>(grid.width()), grid.size());
-    std::vector<bool> isWall(sizes.size(), false);
-    for (const WallSegment& s : segments)
-        if ((s.end - s.begin + 1) * directions[s.direction].stretch() * grid.resolution_m() >=
-                m_options.min_wall &&
-            isThin(grid, directions[s.direction], s, m_options.max_wall_thickness / grid.resolution_m()))
-            isWall[runs.root(runs.find(grid.index(s.cell)))] = true;
+    const std::vector<bool> isWall = findWalls(grid, segments, directions, m_options, runs);
     for (std::size_t r = 0; r < sizes.size(); ++r) {
         const std::size_t size = sizes[runs.root(r)];
         if (isWall[runs.root(r)] || size >= kTooLarge ||

@@ -255,9 +255,9 @@ class Merger
                                m_pieces[next].begin <= end + gap && pairOf(m_pieces[next]) == pair;
                  ++next)
                 end = m_pieces[next].end;
-            if (pair.first != pair.second)
-                regions.borders.push_back(
-                    borderOn(m_cuts[first.cut], pair.first, pair.second, first.begin, end));
+            if (pair.first == pair.second) continue;
+            RegionBorder border = borderOn(m_cuts[first.cut], pair.first, pair.second, first.begin, end);
+            if (!border.cells.empty()) regions.borders.push_back(std::move(border));
         }
     }
 
@@ -268,7 +268,8 @@ class Merger
             from, to, d.cell(begin - 1, cut.row), d.cell(end, cut.row), {}, (end - begin) * d.stretch(), {}};
         for (const Cell c : cut.cells)
             if (d.step(c) >= begin && d.step(c) < end) border.cells.push_back(c);
-        border.middle = border.cells[border.cells.size() / 2];
+        if (!border.cells.empty()) border.middle = border.cells[border.cells.size() / 2];
+        border.lintel = cut.lintel;
         return border;
     }
 

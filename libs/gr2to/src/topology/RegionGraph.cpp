@@ -91,7 +91,7 @@ std::vector<int> choosePlaces(const std::vector<Measures>& measures, const Regio
 bool isFreeBetween(const ClassifiedGrid& grid, Cell a, Cell b)
 {
     const std::vector<Cell> line = lineCells(a, b);
-    return line.size() > 2 &&
+    return line.size() <= 2 ||
            std::all_of(line.begin() + 1, line.end() - 1, [&](Cell c) { return grid.isFree(c); });
 }
 
@@ -110,8 +110,8 @@ void lengthen(const ClassifiedGrid& grid, RegionBorder& border, const RegionBord
             }
 }
 
-/** Borders between the same places that lie side by side are one: the longest, lengthened when too short for
- * a door. */
+/** Borders between the same places that lie side by side with nothing between them are one: the longest,
+ * lengthened when too short for a door. */
 std::vector<RegionBorder> separateBorders(const ClassifiedGrid& grid, std::vector<RegionBorder> borders,
                                           double minDoor_cells)
 {
@@ -129,11 +129,12 @@ std::vector<RegionBorder> separateBorders(const ClassifiedGrid& grid, std::vecto
         const auto beside = std::find_if(
             kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end(), [&](const RegionBorder& other) {
                 return distance_cells(other.middle, border.middle) <=
-                       0.5 * (other.length_cells + border.length_cells) + slack_cells;
+                           0.5 * (other.length_cells + border.length_cells) + slack_cells &&
+                       isFreeBetween(grid, other.middle, border.middle);
             });
         if (beside == kept.end())
             kept.push_back(border);
-        else if (beside->length_cells < minDoor_cells)
+        else if (beside->length_cells < minDoor_cells && !beside->lintel)
             lengthen(grid, *beside, border);
     }
     return kept;
@@ -176,7 +177,7 @@ void addLink(const RegionBorder& border, const std::vector<int>& number, const D
     link.to = static_cast<std::size_t>(to);
     link.at = border.middle;
     link.clearance_cells = 0.5 * (border.length_cells + 1);
-    if (border.length_cells <= rules.maxDoor_cells) {
+    if (border.lintel || border.length_cells <= rules.maxDoor_cells) {
         link.door = static_cast<int>(graph.doors.size());
         graph.doors.push_back({{border.middle, distances.clearance_cells(border.middle)},
                                border.jambA,
@@ -186,7 +187,7 @@ void addLink(const RegionBorder& border, const std::vector<int>& number, const D
     graph.links.push_back(link);
 }
 
-/** The borders that are wide enough to go through. */
+/** The borders that are wide enough to go through, or under a lintel, which is built over doors alone. */
 std::vector<RegionBorder> passagesOf(const Regions& regions, const ClassifiedGrid& grid, Obstacles obstacles,
                                      const DistanceMap& distances, const RegionGraphRules& rules)
 {
@@ -195,7 +196,8 @@ std::vector<RegionBorder> passagesOf(const Regions& regions, const ClassifiedGri
     for (RegionBorder& border : passages) straighten(border, grid, obstacles, distances, rules.minDoor_cells);
     passages.erase(std::remove_if(passages.begin(), passages.end(),
                                   [&](const RegionBorder& border) {
-                                      return border.length_cells < rules.minDoor_cells - cell;
+                                      return !border.lintel &&
+                                             border.length_cells < rules.minDoor_cells - cell;
                                   }),
                    passages.end());
     return passages;

@@ -10,7 +10,7 @@ namespace gr2to
 struct TWallOptions : OptionTable
 {
     double window = 0.15;
-    double min_length = 0.3;
+    double min_length = 0.5;
     double max_gap = 0.3;
     double max_angle = 15;
 

@@ -30,6 +30,7 @@ struct RegionBorder
     Cell middle;
     double length_cells = 0;  //!< of its free cells
     std::vector<Cell> cells;
+    bool lintel = false;  //!< a 3D map shows a lintel over it
 };
 
 struct Regions
