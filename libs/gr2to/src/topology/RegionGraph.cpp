@@ -110,14 +110,15 @@ void lengthen(const ClassifiedGrid& grid, RegionBorder& border, const RegionBord
             }
 }
 
-/** Borders between the same places that lie side by side with nothing between them are one: the longest,
- * lengthened when too short for a door. */
+/** Borders between the same places that lie side by side with nothing between them are one: the one under
+ * a lintel or the longest, lengthened when too short for a door. */
 std::vector<RegionBorder> separateBorders(const ClassifiedGrid& grid, std::vector<RegionBorder> borders,
                                           double minDoor_cells)
 {
     std::stable_sort(borders.begin(), borders.end(), [](const RegionBorder& a, const RegionBorder& b) {
         if (a.from != b.from) return a.from < b.from;
         if (a.to != b.to) return a.to < b.to;
+        if (a.lintel != b.lintel) return a.lintel;
         return a.length_cells > b.length_cells;
     });
     std::vector<RegionBorder> kept;
