@@ -88,14 +88,15 @@ picture robot-presets 1000 "$scratch/robot-paper.png" "$scratch/robot-default.pn
 datasets=$(dirname "$robot")
 views=$(layers grid places ids doors scale_bar)
 large='--set overlay.text_size=44 --set overlay.door_width=9'  # the pictures are reduced
+spacious='--cut-max-critical-line 15'                           # halls and squares have wide openings
 # shellcheck disable=SC2086
 {
     overlay lab "$datasets/localization_demo.simplemap.gz" $views
-    overlay hall "$datasets/malaga-cs-fac-building.simplemap.gz" $views $large
-    overlay loop "$datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog" $views $large
+    overlay hall "$datasets/malaga-cs-fac-building.simplemap.gz" $views $large $spacious
+    overlay loop "$datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog" $views $large $spacious
     overlay uwb "$datasets/uwb_ro-localization_demo.rawlog" $views $large
     overlay part "$datasets/localization_demo.rawlog" $views $large
-    overlay campus "$datasets/2006-MalagaCampus.gridmap.gz" $views
+    overlay campus "$datasets/2006-MalagaCampus.gridmap.gz" $views $spacious
 }
 picture mrpt-simplemaps 1200 "$scratch/lab.png" "$scratch/hall.png"
 picture mrpt-rawlogs 1200 "$scratch/loop.png" "$scratch/uwb.png" "$scratch/part.png"
