@@ -4,9 +4,11 @@
     ablation.py --gr2to build/release/apps/gr2to/gr2to [--preset default] [--every homes=3] FOLDER...
 
 Each cell holds the means of matched IoU, matched MCC and door F1 over a set's maps, as `gr2to compare` prints them; door scores are left
-out where the annotation says that its doors were not checked. Rows appear as they are measured.
+out where the annotation says that its doors were not checked. Maps that the program fails on are counted and left out. Rows appear as
+they are measured.
 """
 import json
+import sys
 import tempfile
 from statistics import fmean
 
@@ -41,22 +43,32 @@ def maps_of(folder, every):
 
 
 def scores_of(gr2to, preset, options, truth, image):
+    """None when the program fails."""
     resolution = json.loads(truth.read_text())["resolution_m"]
     with tempfile.TemporaryDirectory() as folder:
-        command_output([gr2to, "extract", image, "--resolution", resolution, "--preset", preset, "-o", folder, "--json", *QUICK, *options])
+        try:
+            command_output([gr2to, "extract", image, "--resolution", resolution, "--preset", preset, "-o", folder, "--json", *QUICK, *options])
+        except RuntimeError as error:
+            print(f"{image.name} {' '.join(options)}: {error}", file=sys.stderr)
+            return None
         return command_output([gr2to, "compare", folder, truth, "--grid", image, "--resolution", resolution, "--json"])
 
 
-def cell(scores):
+def cell(results):
+    scores = [result for result in results if result]
+    failed = f" ({len(results) - len(scores)} failed)" if len(scores) < len(results) else ""
+    if not scores:
+        return "all failed"
     iou, mcc = (fmean(s["matched"][key] for s in scores) for key in ("mean_iou", "mcc"))
     graded = all(s["doors"]["reliable"] for s in scores)
-    return f"{iou:.3f} {mcc:.3f} " + (f"{fmean(s['doors']['f1'] for s in scores):.3f}" if graded else "-")
+    return f"{iou:.3f} {mcc:.3f} " + (f"{fmean(s['doors']['f1'] for s in scores):.3f}" if graded else "-") + failed
 
 
 def main():
     parser = parser_of(__doc__)
     parser.set_defaults(preset="default")
     parser.add_argument("--every", action="append", default=[], metavar="SET=N", help="only every N-th map of a set")
+    parser.add_argument("--only", action="append", metavar="TEXT", help="only rows whose name holds this")
     arguments = parser.parse_args()
     require_sets(arguments.folders)
     steps = dict(item.split("=") for item in arguments.every)
@@ -64,6 +76,8 @@ def main():
             for variant, maps in maps_of(folder, int(steps.get(folder.name, 1))).items() if maps}
     print("| changed | " + " | ".join(f"{name} ({len(maps)})" for name, maps in sets.items()) + " |\n|---|" + "---|" * len(sets))
     for name, options in CHANGES:
+        if arguments.only and not any(text in name for text in arguments.only):
+            continue
         cells = [cell([scores_of(arguments.gr2to, arguments.preset, options, *pair) for pair in maps]) for maps in sets.values()]
         print(f"| {name} | " + " | ".join(cells) + " |", flush=True)
 

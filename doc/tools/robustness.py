@@ -311,6 +311,7 @@ STYLES = {"generated": ("#0072B2", False, "generated"), "generated furnished": (
 SERIES_STYLES = {"generated, default": ("#0072B2", False, "generated"), "rose, default": ("#CC79A7", False, "rose"),
                  "rose, annotation": ("#000000", True, "rose, people"), "rose, paper": ("#777777", False, "rose, paper")}
 WIDTH, PANEL, HEIGHT, OVERSAMPLING = 1600, 800, 1560, 2
+LEAST_DRAWN = 0.5
 
 
 class Sheet:
@@ -379,8 +380,10 @@ class Panel:
     def curve(self, xs, ys, style):
         points = [self.at(x, max(y, self.bottom_value)) for x, y in zip(xs, ys)]
         self.sheet.line(points, style[0], 4, 12 if style[1] else 0)
-        for point in points:
+        for point, y in zip(points, ys):
             self.sheet.dot(point, style[0], style[1])
+            if y < self.bottom_value:                                   # below the axis: the figure instead of the height
+                self.sheet.text((min(point[0], self.box[2] - 20), point[1] - 22), f"{y:.2f}", 20, colour=style[0])
 
 
 def legend(sheet, left, top, styles, title):
@@ -398,19 +401,17 @@ def draw(figures, path):
             ("resolution", "Cells of other sizes: matched IoU", "side of a cell, cm", [(v, f"{100 * v:g}") for v in LEVELS["resolution"]]),
             ("noise", "Salt-and-pepper noise: matched IoU", "cells flipped, %", [(v, f"{100 * v:g}") for v in LEVELS["noise"]]),
             ("gaps", "Broken walls: matched IoU", "gaps this wide every 3 m, m", [(v, f"{v:g}") for v in LEVELS["gaps"]]))
-    lowest = min(pair[0] for curve in figures["curves"].values() for kind in LEVELS for pair in curve[kind])
-    bottom = max(0.0, numpy.floor(10 * lowest) / 10)
     for index, (kind, title, label, ticks) in enumerate(axes):
-        panel = Panel(sheet, index % 2 * PANEL, index // 2 * 520, title, label, ticks, bottom)
+        panel = Panel(sheet, index % 2 * PANEL, index // 2 * 520, title, label, ticks, LEAST_DRAWN)
         for name, style in STYLES.items():
             if name in figures["curves"]:
                 panel.curve(LEVELS[kind], [pair[0] for pair in figures["curves"][name][kind]], style)
-    panel = Panel(sheet, 0, 1040, "Partial maps: cells that keep their place", "map of the series", [(k, str(k)) for k in SERIES[1:]], 0.5)
+    panel = Panel(sheet, 0, 1040, "Partial maps: cells that keep their place", "map of the series", [(k, str(k)) for k in SERIES[1:]], LEAST_DRAWN)
     shown = [name for name in SERIES_STYLES if name in figures["series"]]
     for name in shown:
         panel.curve(SERIES[1:], [pair[0] for pair in figures["series"][name]], SERIES_STYLES[name])
     legend(sheet, PANEL + 95, 1070, [style for name, style in STYLES.items() if name in figures["curves"]], "Matched IoU")
-    legend(sheet, PANEL + 470, 1070, [SERIES_STYLES[name] for name in shown], "Partial maps")
+    legend(sheet, PANEL + 485, 1070, [SERIES_STYLES[name] for name in shown], "Partial maps")
     sheet.save(path)
 
 
