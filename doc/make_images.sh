@@ -33,7 +33,7 @@ scene() {
     "$gr2to" render "$scratch/$name" --to png -o "$scratch/scene-$name.png" --scene-height 800 "$@" >/dev/null
 }
 
-# picture NAME WIDTH SOURCE...: doc/images/NAME.png, the sources side by side
+# picture NAME WIDTH [--crop X0,Y0,X1,Y1] SOURCE...: doc/images/NAME.png, the sources side by side
 picture() {
     local name=$1 width=$2
     shift 2
@@ -58,8 +58,8 @@ sample=$root/share/sample/office
 # shellcheck disable=SC2086 # the layers are words
 overlay office "$sample.yaml" $bare
 picture office-before-after 1200 "$sample.png" "$scratch/office.png"
-scene office
-picture scene-office 1200 "$scratch/scene-office.png"
+scene office --scene-graph no --scene-elevation 60
+picture scene-office 1200 --crop 0.16,0.1,0.88,0.96 "$scratch/scene-office.png"
 
 "$make_building" -o "$scratch" --name floor --seed 5 --width 26 --height 14 >/dev/null
 "$make_building" -o "$scratch" --name furnished --seed 5 --width 26 --height 14 --furniture 0.1 >/dev/null
@@ -87,14 +87,16 @@ picture robot-presets 1000 "$scratch/robot-paper.png" "$scratch/robot-default.pn
 
 datasets=$(dirname "$robot")
 views=$(layers grid places ids doors scale_bar)
+large='--set overlay.text_size=44 --set overlay.door_width=9'  # the pictures are reduced
+spacious='--cut-max-critical-line 15'                           # halls and squares have wide openings
 # shellcheck disable=SC2086
 {
     overlay lab "$datasets/localization_demo.simplemap.gz" $views
-    overlay hall "$datasets/malaga-cs-fac-building.simplemap.gz" $views
-    overlay loop "$datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog" $views
-    overlay uwb "$datasets/uwb_ro-localization_demo.rawlog" $views
-    overlay part "$datasets/localization_demo.rawlog" $views
-    overlay campus "$datasets/2006-MalagaCampus.gridmap.gz" $views
+    overlay hall "$datasets/malaga-cs-fac-building.simplemap.gz" $views $large $spacious
+    overlay loop "$datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog" $views $large $spacious
+    overlay uwb "$datasets/uwb_ro-localization_demo.rawlog" $views $large
+    overlay part "$datasets/localization_demo.rawlog" $views $large
+    overlay campus "$datasets/2006-MalagaCampus.gridmap.gz" $views $spacious
 }
 picture mrpt-simplemaps 1200 "$scratch/lab.png" "$scratch/hall.png"
 picture mrpt-rawlogs 1200 "$scratch/loop.png" "$scratch/uwb.png" "$scratch/part.png"
@@ -109,7 +111,7 @@ if [ -n "$octrees" ]; then
     # shellcheck disable=SC2046 # the layers are words
     overlay octree "$octrees/geb079.bt" $(layers grid places ids doors connections legend scale_bar)
     picture octree-geb079 1400 "$scratch/octree.png"
-    scene octree --octree "$octrees/geb079.bt"
-    picture scene-geb079 1400 "$scratch/scene-octree.png"
+    scene octree --octree "$octrees/geb079.bt" --scene-graph no
+    picture scene-geb079 1400 --crop 0.02,0.12,0.96,0.84 "$scratch/scene-octree.png"
 fi
 ls -l "$images"
