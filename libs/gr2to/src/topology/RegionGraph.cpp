@@ -23,6 +23,12 @@ struct Measures
     bool hasBorder = false;
 };
 
+Eigen::Vector2d positionOf(std::size_t index, std::size_t width)
+{
+    const std::size_t row = index / width;
+    return {static_cast<double>(index - row * width), static_cast<double>(row)};
+}
+
 /** The cell of a region nearest to its mean of those whose circle is the largest to a cell: half-way along a
  * corridor. */
 void findCenters(const Regions& regions, const DistanceMap& distances, std::vector<Measures>& measures)
@@ -35,7 +41,7 @@ void findCenters(const Regions& regions, const DistanceMap& distances, std::vect
     for (std::size_t i = 0; i < regions.ofCell.size(); ++i) {
         const auto r = static_cast<std::size_t>(regions.ofCell[i]);
         if (r == 0 || distances.squared[i] < least[r]) continue;
-        const Eigen::Vector2d at(static_cast<double>(i % width), static_cast<double>(i / width));
+        const Eigen::Vector2d at = positionOf(i, width);
         if (const double distance = (at - measures[r].mean).squaredNorm(); distance < nearest[r]) {
             nearest[r] = distance;
             measures[r].center = i;
@@ -52,7 +58,7 @@ std::vector<Measures> measure(const Regions& regions, const DistanceMap& distanc
         Measures& m = measures[static_cast<std::size_t>(regions.ofCell[i])];
         ++m.cells;
         m.squaredRadius = std::max(m.squaredRadius, distances.squared[i]);
-        m.mean += Eigen::Vector2d(static_cast<double>(i % width), static_cast<double>(i / width));
+        m.mean += positionOf(i, width);
     }
     for (Measures& m : measures)
         if (m.cells > 0) m.mean /= static_cast<double>(m.cells);

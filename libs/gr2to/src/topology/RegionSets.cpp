@@ -46,6 +46,7 @@ std::vector<RegionSets::Frame> RegionSets::framesOf(const std::vector<LineDirect
     }
     if (angles.empty()) angles.push_back(0);
     std::vector<Frame> frames;
+    frames.reserve(angles.size());
     for (const double angle : angles) frames.push_back({std::cos(angle), std::sin(angle)});
     return frames;
 }
@@ -62,7 +63,7 @@ RegionSets::RegionSets(const FaceMap& faces, const DistanceMap& distances,
     const std::vector<int>& ofCell = faces.ofCell();
     const auto width = static_cast<std::size_t>(distances.width);
     for (std::size_t begin = 0; begin < ofCell.size();) {  // runs of cells of one face in one row
-        const std::size_t rowEnd = (begin / width + 1) * width;
+        const std::size_t row = begin / width, rowEnd = (row + 1) * width;
         std::size_t end = begin + 1;
         while (end < rowEnd && ofCell[end] == ofCell[begin]) ++end;
         if (ofCell[begin] != 0) {
@@ -70,9 +71,9 @@ RegionSets::RegionSets(const FaceMap& faces, const DistanceMap& distances,
             m_cells[face] += static_cast<std::int64_t>(end - begin);
             for (std::size_t i = begin; i < end; ++i)
                 m_squaredRadius[face] = std::max(m_squaredRadius[face], distances.squared[i]);
-            const auto y = static_cast<double>(begin / width);
-            include(face, static_cast<double>(begin % width), y);
-            include(face, static_cast<double>((end - 1) % width), y);
+            const auto y = static_cast<double>(row);
+            include(face, static_cast<double>(begin - row * width), y);
+            include(face, static_cast<double>(end - 1 - row * width), y);
         }
         begin = end;
     }
