@@ -160,7 +160,7 @@ TEST(CTopologicalMap, refusesEveryPrefixOfAnArchive)
 
 TEST(CTopologicalMap, refusesEveryFlippedByteOfAnArchive)
 {
-    const TopologicalMap map = randomTopologicalMap(15);
+    const TopologicalMap map = randomTopologicalMap(16);
     const std::string bytes = toArchive(map);
     for (std::size_t at = 0; at < bytes.size(); ++at) {
         std::string changed = bytes;

@@ -22,6 +22,12 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 using testing::Not;
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 const char* const CLASS = "gr2to::CTopologicalMap";
 const char* const DEMO = "/usr/share/mrpt/datasets/localization_demo.simplemap.gz";
 
@@ -101,6 +107,7 @@ TEST_F(Plugin, aSimplemapFillsIt)
 
 TEST_F(Plugin, rawlogEditReadsARawlogThatHoldsAMap)
 {
+    if (kSanitized) GTEST_SKIP() << "MRPT's programs are built without the sanitizer that the plugin needs";
     if (!has("rawlog-edit")) GTEST_SKIP() << "rawlog-edit is not installed (package mrpt-apps)";
     load();
     {
@@ -123,6 +130,7 @@ TEST_F(Plugin, rawlogEditReadsARawlogThatHoldsAMap)
 
 TEST_F(Plugin, observations2mapMakesATopologicalMap)
 {
+    if (kSanitized) GTEST_SKIP() << "MRPT's programs are built without the sanitizer that the plugin needs";
     if (!has("observations2map") || !fs::exists(DEMO))
         GTEST_SKIP() << "observations2map (package mrpt-apps) or mrpt-common is not installed";
     const std::string arguments =
