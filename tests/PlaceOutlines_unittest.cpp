@@ -16,9 +16,9 @@ namespace
 constexpr double kTolerance = 1.5;
 constexpr double kBlock = kLabelBlock * kLabelBlock;  // cells of a drawn character
 
-std::vector<Polygon> outlinesOf(const PlaceImage& places, std::size_t count, double tolerance = kTolerance)
+std::vector<Polygon> outlinesOf(PlaceImage& places, std::size_t count, double tolerance = kTolerance)
 {
-    const std::vector<Polygon> outlines = outlinePlaces(places, count, tolerance);
+    std::vector<Polygon> outlines = outlinePlaces(places, count, tolerance);
     EXPECT_EQ(outlines.size(), count + 1);
     for (const Polygon& outline : outlines) EXPECT_EQ(outline.empty() ? "" : whyNotSimple(outline), "");
     return outlines;

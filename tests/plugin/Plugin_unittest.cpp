@@ -20,7 +20,6 @@ namespace
 {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
-using testing::Not;
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 constexpr bool kSanitized = true;
