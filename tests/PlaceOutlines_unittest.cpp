@@ -16,7 +16,7 @@ namespace
 constexpr double kTolerance = 1.5;
 constexpr double kBlock = kLabelBlock * kLabelBlock;  // cells of a drawn character
 
-std::vector<Polygon> outlinesOf(PlaceImage& places, std::size_t count, double tolerance = kTolerance)
+std::vector<Polygon> outlinesOf(const PlaceImage& places, std::size_t count, double tolerance = kTolerance)
 {
     std::vector<Polygon> outlines = outlinePlaces(places, count, tolerance);
     EXPECT_EQ(outlines.size(), count + 1);
