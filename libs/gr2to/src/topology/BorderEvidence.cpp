@@ -20,7 +20,7 @@ constexpr double kBetterRectangle = -12;       // gain in rectangularity by merg
 constexpr double kLength = -0.4;               // logarithm of the total length
 constexpr double kSolidEnd = -1.3;
 constexpr double kElongation = -0.9;  // logarithm, of the less elongated region
-constexpr double kMouth = 1.5;
+constexpr double kMouth = 1.5;        // twice what the regression gives: mouths are few among its samples
 constexpr double kLintel = 5;  // not from the regression, whose maps are flat: lintels are built over doors
 
 // Measures beyond these say no more.
