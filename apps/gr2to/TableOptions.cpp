@@ -28,10 +28,10 @@ std::string metavarOf(const OptionField& field)
 
 std::string namesOf(const OptionTable& table, const OptionField& field)
 {
-    const std::string flag = flagOf(table, field);
-    for (const std::string shortened : {"resolution", "z-min", "z-max"})
-        if (flag == "--input-" + shortened || flag == "--compression-" + shortened)
-            return "--" + shortened + "," + flag;
+    std::string flag = flagOf(table, field);
+    for (const char* shortened : {"resolution", "z-min", "z-max"})
+        for (const char* prefix : {"--input-", "--compression-"})
+            if (flag == std::string(prefix) + shortened) return std::string("--") + shortened + "," + flag;
     return flag;
 }
 }  // namespace

@@ -2,41 +2,61 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <cstdlib>
+
+#include "base/forEachMarked.h"
+#include "base/vectorised.h"
 
 namespace gr2to
 {
+namespace
+{
+/** Farther apart than any separation asked for, and its square twice fits 32 bits. */
+constexpr std::int32_t kFar = 0x7FFF;
+
+/** Marks where two neighbouring rows, or a row and itself one cell further, are both free and their nearest
+ * obstacles at least a distance apart. */
+GR2TO_VECTORISED
+void markJumps(const CellState* cellsA, const CellState* cellsB, const std::uint32_t* nearestA,
+               const std::uint32_t* nearestB, std::size_t count, std::int32_t minSquared, std::uint8_t* marks)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto dx = std::abs(static_cast<std::int32_t>(nearestA[i] & 0xFFFFU) -
+                                 static_cast<std::int32_t>(nearestB[i] & 0xFFFFU));
+        const auto dy = std::abs(static_cast<std::int32_t>(nearestA[i] >> 16U) -
+                                 static_cast<std::int32_t>(nearestB[i] >> 16U));
+        const std::int32_t x = std::min(dx, kFar), y = std::min(dy, kFar);
+        const bool free = (cellsA[i] == CellState::Free) & (cellsB[i] == CellState::Free);
+        marks[i] = static_cast<std::uint8_t>(free & (x * x + y * y >= minSquared));
+    }
+}
+}  // namespace
+
 SeparationFinder::SeparationFinder(const ClassifiedGrid& grid, double minSeparation_cells)
     : m_grid(grid),
-      m_minSquared(static_cast<std::int64_t>(std::ceil(minSeparation_cells * minSeparation_cells))),
+      m_minSquared(
+          static_cast<std::int32_t>(std::ceil(std::pow(std::min<double>(minSeparation_cells, kFar), 2)))),
       m_nearestBelow(static_cast<std::size_t>(grid.width())),
       m_squaredBelow(m_nearestBelow.size()),
       m_below(m_nearestBelow.size(), 0),
-      m_current(m_nearestBelow.size(), 0)
+      m_current(m_nearestBelow.size(), 0),
+      m_jumps(m_nearestBelow.size(), 0)
 {
-}
-
-bool SeparationFinder::separated(std::uint32_t a, std::uint32_t b) const
-{
-    const Cell p = unpackCell(a), q = unpackCell(b);
-    const std::int64_t dx = p.x - q.x, dy = p.y - q.y;
-    return dx * dx + dy * dy >= m_minSquared;
 }
 
 void SeparationFinder::addRow(int y, const std::int32_t* squared, const std::uint32_t* nearest)
 {
     const CellState* row = m_grid.row(y);
-    const CellState* rowBelow = y > 0 ? m_grid.row(y - 1) : nullptr;
     const std::size_t width = m_current.size();
-    for (std::size_t x = 0; x < width; ++x) {
-        if (row[x] != CellState::Free) continue;
-        if (rowBelow && rowBelow[x] == CellState::Free && nearest[x] != m_nearestBelow[x] &&
-            separated(nearest[x], m_nearestBelow[x]))
-            (squared[x] > m_squaredBelow[x] ? m_current : m_below)[x] = 1;
-        if (x + 1 < width && row[x + 1] == CellState::Free && nearest[x] != nearest[x + 1] &&
-            separated(nearest[x], nearest[x + 1]))
-            m_current[squared[x + 1] > squared[x] ? x + 1 : x] = 1;
+    if (y > 0) {
+        markJumps(row, m_grid.row(y - 1), nearest, m_nearestBelow.data(), width, m_minSquared,
+                  m_jumps.data());
+        forEachMarked(m_jumps.data(), width,
+                      [&](std::size_t x) { (squared[x] > m_squaredBelow[x] ? m_current : m_below)[x] = 1; });
     }
+    markJumps(row, row + 1, nearest, nearest + 1, width - 1, m_minSquared, m_jumps.data());
+    forEachMarked(m_jumps.data(), width - 1,
+                  [&](std::size_t x) { m_current[squared[x + 1] > squared[x] ? x + 1 : x] = 1; });
     finishRow(y - 1);
     m_below.swap(m_current);
     std::fill(m_current.begin(), m_current.end(), std::uint8_t{0});
@@ -46,11 +66,9 @@ void SeparationFinder::addRow(int y, const std::int32_t* squared, const std::uin
 
 void SeparationFinder::finishRow(int y)
 {
-    const std::uint8_t *begin = m_below.data(), *end = begin + m_below.size(), *at = begin;
-    const auto next = [&] {
-        return static_cast<const std::uint8_t*>(std::memchr(at, 1, static_cast<std::size_t>(end - at)));
-    };
-    for (at = next(); at != nullptr; at = next()) m_cells.push_back({static_cast<int>(at++ - begin), y});
+    forEachMarked(m_below.data(), m_below.size(), [&](std::size_t x) {
+        m_cells.push_back({static_cast<int>(x), y});
+    });
 }
 
 std::vector<Cell> SeparationFinder::take()

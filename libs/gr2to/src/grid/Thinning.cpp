@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/forEachMarked.h"
 #include "base/vectorised.h"
 #include "gr2to/grid/SimpleCells.h"
 
@@ -11,12 +12,11 @@ namespace gr2to
 {
 namespace
 {
-constexpr std::uint16_t kFigure = 1;
-constexpr std::uint16_t kAnchor = 2;
-constexpr std::uint16_t kQueued = 4;
-constexpr std::uint16_t kStateBits = kFigure | kAnchor | kQueued;
-constexpr int kBucketShift = 3;
-constexpr int kMaxBucket = 0xFFFF >> kBucketShift;
+/** Eight shifts apart, so that the bits of eight neighbours gather in two bytes of one number. */
+constexpr std::uint16_t kFigure = 1U << 0U;
+constexpr std::uint16_t kBusy = 1U << 8U;  //!< an anchor, or queued
+constexpr std::uint16_t kStateBits = kFigure | kBusy;
+constexpr int kMaxBucket = 0x3FFF;  // in the 14 other bits
 
 /** Clearances that differ by less are removed first come, first served: in waves, which keeps them in order
  * too. */
@@ -28,17 +28,24 @@ constexpr std::size_t kWavesPerBucket = 3;
  * the bands at work fit a cache of half a megabyte. */
 constexpr std::size_t kBandCells = 1U << 15U, kWavesPerSweep = 8;
 
-std::uint16_t bucketOf(std::int32_t squaredClearance)
+/** The bits of a cell that tell its bucket: seven above either state bit. */
+std::uint16_t bucketBits(std::int32_t squaredClearance)
 {
-    const float bucket = std::sqrt(static_cast<float>(squaredClearance)) * (1.0F / kBucketCells);
-    return static_cast<std::uint16_t>(std::min(static_cast<int>(bucket), kMaxBucket) << kBucketShift);
+    const float clearance = std::sqrt(static_cast<float>(squaredClearance));
+    const int bucket = std::min(static_cast<int>(clearance * (1.0F / kBucketCells)), kMaxBucket);
+    return static_cast<std::uint16_t>((bucket & 0x7F) << 1 | (bucket & 0x3F80) << 2);
+}
+
+std::size_t bucketOf(unsigned cell)
+{
+    return (cell >> 1U & 0x7FU) | (cell >> 2U & 0x3F80U);
 }
 
 /** Buckets and figure bits of a row. The distance of cells that are not free is 0, and so is their bucket. */
 GR2TO_VECTORISED
 void startRow(const CellState* cells, const std::int32_t* squared, int width, std::uint16_t* out)
 {
-    for (int x = 0; x < width; ++x) out[x] = bucketOf(squared[x]);
+    for (int x = 0; x < width; ++x) out[x] = bucketBits(squared[x]);
     for (int x = 0; x < width; ++x)
         out[x] = static_cast<std::uint16_t>(out[x] | (cells[x] == CellState::Free ? kFigure : 0));
 }
@@ -52,8 +59,8 @@ void markOuter(const std::uint16_t* middle, std::size_t stride, std::size_t widt
     for (std::size_t x = 0; x < width; ++x) {
         const unsigned inner = *(below + x - 1) & below[x] & below[x + 1] & *(middle + x - 1) &
                                middle[x + 1] & *(above + x - 1) & above[x] & above[x + 1];
-        const bool free = (middle[x] & (kFigure | kAnchor)) == kFigure;
-        outer[x] = static_cast<std::uint8_t>(free && !(inner & kFigure));
+        const unsigned idle = middle[x] & ~(middle[x] >> 8U);  // bit kFigure, unless busy
+        outer[x] = static_cast<std::uint8_t>(idle & ~inner & kFigure);
     }
 }
 
@@ -80,7 +87,7 @@ class Thinner
 
     void protect(const std::vector<Cell>& anchors)
     {
-        for (const Cell c : anchors) m_cells[m_cells.index(c)] |= kAnchor;
+        for (const Cell c : anchors) m_cells[m_cells.index(c)] |= kBusy;
     }
 
     /** Removes all that is no anchor and not needed for the topology. */
@@ -90,8 +97,8 @@ class Thinner
         for (int y = 0; y < m_cells.height(); ++y) {
             const std::size_t row = m_cells.index({0, y});
             markOuter(&m_cells[row], m_cells.stride(), outer.size(), outer.data());
-            for (std::size_t x = 0; x < outer.size(); ++x)
-                if (outer[x] && !(m_cells[row + x] & kQueued)) enqueue(row + x, row / m_bandCells, 0);
+            forEachMarked(outer.data(), outer.size(),
+                          [&](std::size_t x) { enqueue(row + x, row / m_bandCells, 0); });
         }
         drain([](std::uint8_t) { return false; });
     }
@@ -103,7 +110,7 @@ class Thinner
     {
         for (const Cell c : anchors) {
             std::uint16_t& cell = m_cells[m_cells.index(c)];
-            cell = static_cast<std::uint16_t>(cell & ~kAnchor);
+            cell = static_cast<std::uint16_t>(cell & ~kBusy);
         }
         for (const Cell c : anchors)
             if (const std::size_t i = m_cells.index(c); (m_cells[i] & kStateBits) == kFigure)
@@ -147,24 +154,21 @@ class Thinner
     Ring ring(std::size_t i) const
     {
         const std::uint16_t* at = &m_cells[i];
-        Ring ring;
-        for (unsigned k = 0; k < 8; ++k) {
-            const unsigned state = at[m_steps[k]] & kStateBits;
-            ring.figure |= (state & kFigure) << k;
-            ring.idle |= (state == kFigure ? 1U : 0U) << k;
-        }
-        return ring;
+        unsigned bits = 0;
+        for (unsigned k = 8; k-- > 0;) bits = 2 * bits + (at[m_steps[k]] & kStateBits);
+        return {bits & 0xFFU, bits & ~(bits >> 8U) & 0xFFU};
     }
 
     /** Puts a cell into the queue of a wave, or into its bucket when that opens later. */
     void enqueue(std::size_t i, std::size_t b, std::size_t wave)
     {
-        m_cells[i] |= kQueued;
+        m_cells[i] |= kBusy;
         ++m_queued;
         Band& band = m_bands[b];
-        const std::size_t bucket = m_cells[i] >> kBucketShift;
-        if (bucket * kWavesPerBucket > wave && bucket >= band.buckets.size()) band.buckets.resize(bucket + 1);
-        auto& cells = bucket * kWavesPerBucket > wave ? band.buckets[bucket] : band.queues[wave % 2];
+        const std::size_t bucket = bucketOf(m_cells[i]);
+        const bool later = bucket > wave / kWavesPerBucket;
+        if (later && bucket >= band.buckets.size()) band.buckets.resize(bucket + 1);
+        auto& cells = later ? band.buckets[bucket] : band.queues[wave % 2];
         cells.push_back(static_cast<std::uint32_t>(i));
     }
 
@@ -196,7 +200,7 @@ class Thinner
         }
         const std::size_t first = b * m_bandCells, last = first + m_bandCells;
         for (const std::size_t i : queue) {
-            m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kQueued);
+            m_cells[i] = static_cast<std::uint16_t>(m_cells[i] & ~kBusy);
             const Ring around = ring(i);
             const auto figure = static_cast<std::uint8_t>(around.figure);
             if (!m_simple[figure] || keep(figure)) continue;
@@ -211,7 +215,7 @@ class Thinner
         queue.clear();
     }
 
-    Padded<std::uint16_t> m_cells;  //!< figure, anchor and queued bits, and the bucket above them
+    Padded<std::uint16_t> m_cells;  //!< figure and busy bits, and the bucket
     std::array<std::ptrdiff_t, 8> m_steps;
     const std::array<bool, 256>& m_simple;
     std::size_t m_bandCells = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "base/forEachMarked.h"
 #include "gr2to/grid/Thinning.h"
 
 namespace gr2to
@@ -43,14 +44,14 @@ class Tracer
 
     void collectCells()
     {
-        for (int y = 0; y < m_mask.height(); ++y)
-            for (int x = 0; x < m_mask.width(); ++x)
-                if (const std::size_t i = m_mask.index({x, y}); m_mask[i]) {
-                    m_curve.push_back(i);
-                    m_graph.cells.push_back(static_cast<std::uint32_t>(y) *
-                                                static_cast<std::uint32_t>(m_graph.width) +
-                                            static_cast<std::uint32_t>(x));
-                }
+        for (int y = 0; y < m_mask.height(); ++y) {
+            const std::size_t row = m_mask.index({0, y});
+            const auto width = static_cast<std::size_t>(m_mask.width());
+            forEachMarked(&m_mask[row], width, [&](std::size_t x) {
+                m_curve.push_back(row + x);
+                m_graph.cells.push_back(static_cast<std::uint32_t>(static_cast<std::size_t>(y) * width + x));
+            });
+        }
     }
 
     int degree(std::size_t i) const

@@ -1,6 +1,7 @@
 #include "gr2to/grid/WallSegments.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <numeric>
 
 namespace gr2to
@@ -12,16 +13,18 @@ struct Run
     int row, begin, end;
 };
 
+constexpr std::int64_t kRow = std::int64_t{1} << 32U;  // more steps than any gap and any line
+
 std::vector<Run> runsAlong(const std::vector<WallCell>& cells, const LineDirection& direction,
                            const WallSegmentRules& rules)
 {
     const double gate = std::cos(2 * rules.maxAngle_deg * 3.14159265358979323846 / 180);
     const double c = direction.doubleCos(), s = direction.doubleSin();
-    std::vector<std::pair<int, int>> members;  // row, step
+    std::vector<std::int64_t> members;  // row and step in one number, by which they sort
     for (const WallCell& w : cells) {
         const double coherence = std::hypot(w.doubleCos, w.doubleSin);
         if (coherence < rules.minCoherence || w.doubleCos * c + w.doubleSin * s < gate * coherence) continue;
-        members.emplace_back(direction.row(w.cell), direction.step(w.cell));
+        members.push_back(std::int64_t{direction.row(w.cell)} * kRow + direction.step(w.cell));
     }
     std::sort(members.begin(), members.end());
     std::vector<Run> runs;
@@ -29,11 +32,12 @@ std::vector<Run> runsAlong(const std::vector<WallCell>& cells, const LineDirecti
                  length = rules.minLength_cells / direction.stretch();
     for (std::size_t i = 0; i < members.size();) {
         std::size_t k = i + 1;
-        while (k < members.size() && members[k].first == members[i].first &&
-               members[k].second - members[k - 1].second - 1 <= gap)
-            ++k;
-        if (members[k - 1].second - members[i].second + 1 >= length)
-            runs.push_back({members[i].first, members[i].second, members[k - 1].second});
+        while (k < members.size() && static_cast<double>(members[k] - members[k - 1] - 1) <= gap) ++k;
+        if (static_cast<double>(members[k - 1] - members[i] + 1) >= length) {
+            const std::int64_t begin = members[i] & (kRow - 1), row = (members[i] - begin) / kRow;
+            runs.push_back({static_cast<int>(row), static_cast<int>(begin),
+                            static_cast<int>(members[k - 1] - row * kRow)});
+        }
         i = k;
     }
     return runs;

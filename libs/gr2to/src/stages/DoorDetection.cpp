@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "base/forEachMarked.h"
 #include "base/vectorised.h"
 #include "gr2to/base/text.h"
 
@@ -91,8 +92,9 @@ class LikelyCells
         std::vector<std::uint8_t> farther(static_cast<std::size_t>(m_distances.width));
         for (int y = 0; y < m_distances.height; ++y) {
             compareRow(y, farther);
-            for (int x = 0; x < m_distances.width; ++x)
-                if (m_hasOpposite[farther[static_cast<std::size_t>(x)]]) likely.push_back({x, y});
+            forEachMarked(farther.data(), farther.size(), [&](std::size_t x) {
+                if (m_hasOpposite[farther[x]]) likely.push_back({static_cast<int>(x), y});
+            });
         }
         return likely;
     }

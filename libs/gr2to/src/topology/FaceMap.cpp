@@ -81,12 +81,19 @@ std::vector<FaceMap::Piece> FaceMap::piecesOf(const CandidateCut& cut) const
 std::vector<FaceMap::Stretch> FaceMap::along(const LineDirection& direction, int row, int begin, int end,
                                              int reach) const
 {
-    int left = begin, right = end;
-    while (begin - left < reach && at(direction, left - 1, row) != 0) --left;
-    while (right - end < reach && at(direction, right, row) != 0) ++right;
     std::vector<Stretch> stretches;
-    for (int t = left; t < right; ++t) {
+    for (int t = begin - 1; begin - t <= reach; --t) {
         const int face = at(direction, t, row);
+        if (face == 0) break;
+        if (!stretches.empty() && stretches.back().face == face)
+            stretches.back().begin = t;
+        else
+            stretches.push_back({t, t + 1, face});
+    }
+    std::reverse(stretches.begin(), stretches.end());
+    for (int t = begin; t < end + reach; ++t) {
+        const int face = at(direction, t, row);
+        if (t >= end && face == 0) break;
         if (!stretches.empty() && stretches.back().face == face)
             stretches.back().end = t + 1;
         else

@@ -50,11 +50,16 @@ class Merger
         mergeWeak();
         Regions regions;
         regions.ofCell.resize(m_faces.ofCell().size());
-        std::vector<int> number(static_cast<std::size_t>(m_sets.size()), 0);
+        std::vector<int> number(static_cast<std::size_t>(m_sets.size()), 0), numberOfFace = number;
         for (std::size_t i = 0; i < regions.ofCell.size(); ++i) {
-            if (m_faces.ofCell()[i] == 0) continue;
-            int& n = number[static_cast<std::size_t>(m_sets.find(m_faces.ofCell()[i]))];
-            if (n == 0) n = ++regions.count;
+            const int face = m_faces.ofCell()[i];
+            if (face == 0) continue;
+            int& n = numberOfFace[static_cast<std::size_t>(face)];
+            if (n == 0) {
+                int& ofRegion = number[static_cast<std::size_t>(m_sets.find(face))];
+                if (ofRegion == 0) ofRegion = ++regions.count;
+                n = ofRegion;
+            }
             regions.ofCell[i] = n;
         }
         addBorders(number, regions);

@@ -35,9 +35,11 @@ void findCenters(const Regions& regions, const DistanceMap& distances, std::vect
 {
     const auto width = static_cast<std::size_t>(distances.width);
     std::vector<double> nearest(measures.size(), std::numeric_limits<double>::infinity());
-    std::vector<double> least(measures.size());
-    for (std::size_t r = 0; r < measures.size(); ++r)
-        least[r] = std::pow(std::max(0.0, std::sqrt(std::max(0, measures[r].squaredRadius)) - 1), 2);
+    std::vector<std::int32_t> least(measures.size());  // squared distance of those
+    for (std::size_t r = 0; r < measures.size(); ++r) {
+        const double radius = std::sqrt(std::max(0, measures[r].squaredRadius));
+        least[r] = static_cast<std::int32_t>(std::ceil(std::pow(std::max(0.0, radius - 1), 2)));
+    }
     for (std::size_t i = 0; i < regions.ofCell.size(); ++i) {
         const auto r = static_cast<std::size_t>(regions.ofCell[i]);
         if (r == 0 || distances.squared[i] < least[r]) continue;
@@ -53,12 +55,17 @@ std::vector<Measures> measure(const Regions& regions, const DistanceMap& distanc
 {
     const auto width = static_cast<std::size_t>(distances.width);
     std::vector<Measures> measures(static_cast<std::size_t>(regions.count) + 1);
-    for (std::size_t i = 0; i < regions.ofCell.size(); ++i) {
-        if (regions.ofCell[i] == 0) continue;
-        Measures& m = measures[static_cast<std::size_t>(regions.ofCell[i])];
-        ++m.cells;
-        m.squaredRadius = std::max(m.squaredRadius, distances.squared[i]);
-        m.mean += positionOf(i, width);
+    const std::vector<int>& ofCell = regions.ofCell;
+    for (std::size_t begin = 0, end = 0; begin < ofCell.size(); begin = end) {  // runs within rows
+        const std::size_t row = begin / width;
+        while (end < (row + 1) * width && ofCell[end] == ofCell[begin]) ++end;
+        if (ofCell[begin] == 0) continue;
+        Measures& m = measures[static_cast<std::size_t>(ofCell[begin])];
+        m.cells += end - begin;
+        for (std::size_t i = begin; i < end; ++i)
+            m.squaredRadius = std::max(m.squaredRadius, distances.squared[i]);
+        m.mean +=
+            static_cast<double>(end - begin) * (positionOf(begin, width) + positionOf(end - 1, width)) / 2;
     }
     for (Measures& m : measures)
         if (m.cells > 0) m.mean /= static_cast<double>(m.cells);

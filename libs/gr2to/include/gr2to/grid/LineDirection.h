@@ -44,7 +44,12 @@ class LineDirection
     double doubleSin() const { return 2 * m_slope / (m_stretch * m_stretch); }
 
  private:
-    int rise(int step) const { return static_cast<int>(std::floor(m_slope * step + 0.5)); }
+    int rise(int step) const  // rounds down without a call
+    {
+        const double value = m_slope * step + 0.5;
+        const int towardsZero = static_cast<int>(value);
+        return towardsZero - (value < towardsZero ? 1 : 0);
+    }
 
     bool m_alongColumns = true;
     double m_slope = 0;

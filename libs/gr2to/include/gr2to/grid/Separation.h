@@ -26,14 +26,14 @@ class SeparationFinder
     std::vector<Cell> take();
 
  private:
-    bool separated(std::uint32_t a, std::uint32_t b) const;
     void finishRow(int y);
 
     const ClassifiedGrid& m_grid;
-    std::int64_t m_minSquared;
+    std::int32_t m_minSquared;
     std::vector<std::uint32_t> m_nearestBelow;
     std::vector<std::int32_t> m_squaredBelow;
     std::vector<std::uint8_t> m_below, m_current;  //!< marks of the last row and of this one
+    std::vector<std::uint8_t> m_jumps;             //!< where the nearest obstacle jumps
     std::vector<Cell> m_cells;
 };
 
