@@ -83,6 +83,45 @@ TEST(GridFilter, freesWholeBlobsAndNothingElseOnRandomMaps)
     }
 }
 
+namespace
+{
+void fill(ClassifiedGrid& grid, int left, int right, int bottom, int top, CellState state)
+{
+    for (int y = bottom; y <= top; ++y)
+        for (int x = left; x <= right; ++x) grid.set({x, y}, state);
+}
+
+/** Whether a piece, drawn free-standing into a room of 6 m x 4 m, is left by the filter. The room has a wall
+ * from either side at half its height, 2.6 m apart. */
+bool isKept(int left, int right, int bottom, int top)
+{
+    ClassifiedGrid grid(120, 80, GridFrame{0.05, 0, 0, 0}, CellState::Occupied);
+    fill(grid, 3, 116, 3, 76, CellState::Free);
+    fill(grid, 3, 49, 39, 41, CellState::Occupied);
+    fill(grid, 102, 116, 39, 41, CellState::Occupied);
+    fill(grid, left, right, bottom, top, CellState::Occupied);
+    const WallLines walls = WallExtractor(TWallOptions()).extract(grid);
+    const FilteredGrid f = GridFilter(TFilterOptions()).filter(grid, walls.segments, walls.directions);
+    EXPECT_TRUE(f.grid.isOccupied({40, 40})) << "walls stay";
+    return f.grid.isOccupied({(left + right) / 2, (bottom + top) / 2});
+}
+}  // namespace
+
+TEST(GridFilter, piecesBetweenDoorsStayWhenTheyAreInLineWithAWall)
+{
+    EXPECT_TRUE(isKept(68, 83, 39, 41)) << "0.8 m long, a doorway from the walls to either side";
+    EXPECT_TRUE(isKept(68, 83, 41, 43)) << "not quite in line, as walls of maps are";
+    EXPECT_FALSE(isKept(68, 83, 20, 22)) << "the same piece in the middle of the room";
+    EXPECT_FALSE(isKept(72, 79, 39, 41)) << "shorter than pieces of wall are";
+    EXPECT_FALSE(isKept(68, 83, 34, 47)) << "too thick to be a wall";
+}
+
+TEST(GridFilter, longPiecesStayWhereverTheyStand)
+{
+    EXPECT_TRUE(isKept(60, 85, 20, 22)) << "1.3 m long";
+    EXPECT_FALSE(isKept(60, 85, 14, 27)) << "and 0.7 m thick";
+}
+
 TEST(GridFilter, pipelineNeedsAnObstacleThatIsLeft)
 {
     const auto grid = drawMap({"......", "..#...", "......", "......"}, 0.05);

@@ -25,8 +25,8 @@ mrpt::obs::CObservationImage::Ptr picture(std::uint8_t grey)
 {
     auto image = mrpt::obs::CObservationImage::Create();
     image->image.resize(40, 20, mrpt::img::CH_GRAY);
-    for (int y = 0; y < 20; ++y)
-        for (int x = 0; x < 40; ++x) image->image.at<std::uint8_t>(x, y) = grey;
+    for (unsigned y = 0; y < 20; ++y)
+        for (unsigned x = 0; x < 40; ++x) image->image.at<std::uint8_t>(x, y) = grey;
     image->cameraParams.ncols = 40;
     image->cameraParams.nrows = 20;
     image->cameraParams.setIntrinsicParamsFromValues(20, 20, 20, 10);

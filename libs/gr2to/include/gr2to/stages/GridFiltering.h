@@ -9,7 +9,8 @@ namespace gr2to
 struct TFilterOptions : OptionTable
 {
     double max_blob_area = 2;
-    double min_wall = 0.8;
+    double min_wall = 1;
+    double min_aligned_wall = 0.7;
     double max_wall_thickness = 0.6;
 
     std::string section() const override { return "filter"; }
@@ -28,7 +29,8 @@ struct FilteredGrid
  *
  * A blob is an 8-connected patch of cells that are not free, all around it free cells. One of less than
  * `max_blob_area` becomes free: table and chair legs, bins, people, pillars; what touches a wall or the
- * unknown surroundings stays. Source: Gr2To paper, section 4, first stage ("Compression ... and Filtering").
+ * unknown surroundings stays, and so do pieces of wall. Source: Gr2To paper, section 4, first stage
+ * ("Compression ... and Filtering").
  */
 class GridFilter
 {
@@ -37,7 +39,9 @@ class GridFilter
     explicit GridFilter(TFilterOptions options);
 
     /** \param segments  straight walls: a blob that holds one of `min_wall` or more stays, being a piece of
-     * wall \param directions  that the segments run in Cost: one pass over the cells. */
+     * wall, and so does one that holds one of `min_aligned_wall` in line with a wall that stays
+     * \param directions  that the segments run in
+     * Cost: one pass over the cells. */
     FilteredGrid filter(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments = {},
                         const std::vector<LineDirection>& directions = {}) const;
 
