@@ -116,6 +116,23 @@ TEST(GridFilter, piecesBetweenDoorsStayWhenTheyAreInLineWithAWall)
     EXPECT_FALSE(isKept(68, 83, 34, 47)) << "too thick to be a wall";
 }
 
+TEST(GridFilter, piecesInLineWithAStubOrAnotherPieceStay)
+{
+    const auto keeps = [](std::initializer_list<int> lefts, int stub) {
+        ClassifiedGrid grid(120, 80, GridFrame{0.05, 0, 0, 0}, CellState::Occupied);
+        fill(grid, 3, 116, 3, 76, CellState::Free);
+        for (const int left : lefts) fill(grid, left, left + 15, 39, 41, CellState::Occupied);
+        fill(grid, 117 - stub, 116, 39, 41, CellState::Occupied);
+        const WallLines walls = WallExtractor(TWallOptions()).extract(grid);
+        const FilteredGrid f = GridFilter(TFilterOptions()).filter(grid, walls.segments, walls.directions);
+        return f.grid.isOccupied({*lefts.begin() + 8, 40});
+    };
+    EXPECT_FALSE(keeps({80}, 0)) << "0.8 m long, nothing but a crossing wall ahead";
+    EXPECT_TRUE(keeps({80}, 3)) << "a stub of 0.15 m ahead";
+    EXPECT_TRUE(keeps({50, 84}, 0)) << "two pieces in line";
+    EXPECT_FALSE(keeps({20, 84}, 0)) << "too far apart for a doorway";
+}
+
 TEST(GridFilter, longPiecesStayWhereverTheyStand)
 {
     EXPECT_TRUE(isKept(60, 85, 20, 22)) << "1.3 m long";

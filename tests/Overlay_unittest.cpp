@@ -92,6 +92,23 @@ TEST(Overlay, cellsShowTheirPlaceOrState)
     EXPECT_EQ(picture.at(40, 20), palette::unknown);
 }
 
+TEST(Overlay, cellsThatTheFilterTookAwayHaveAColourOfTheirOwn)
+{
+    TwoRooms rooms;
+    rooms.grid.set({6, 4}, CellState::Occupied);  // and still of place 1
+    TOverlayOptions options = bare();
+    EXPECT_EQ(MapPicture(rooms.input(), options).at(6, 4), palette::removed);
+    const std::string shown = renderOverlaySvg(rooms.input(), options);
+    options.removed = false;
+    EXPECT_EQ(MapPicture(rooms.input(), options).at(6, 4), palette::occupied);
+    EXPECT_NE(renderOverlaySvg(rooms.input(), options), shown);
+    options.legend = true;
+    const int without = decodePng(renderOverlayPng(TwoRooms().input(), options)).height;
+    options.removed = true;
+    EXPECT_GE(decodePng(renderOverlayPng(rooms.input(), options)).height, without)
+        << "one more in the legend";
+}
+
 TEST(Overlay, anIdHasTheSameColourOnEveryMap)
 {
     const TwoRooms rooms;

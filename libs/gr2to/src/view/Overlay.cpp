@@ -109,6 +109,7 @@ std::vector<OptionField> TOverlayOptions::fields()
     return {
         {"grid", &grid, "", "Draw occupied and unknown cells."},
         {"places", &places, "", "Tint the places; corridors are hatched."},
+        {"removed", &removed, "", "Show what the filter took out of the grid in a colour of its own."},
         {"ids", &ids, "", "Write the places' ids."},
         {"voronoi", &voronoi, "", "Draw the Voronoi diagram."},
         {"critical_points", &critical_points, "", "Mark the critical points."},

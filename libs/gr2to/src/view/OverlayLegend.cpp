@@ -58,6 +58,7 @@ void addSwatches(std::vector<Entry>& entries, const OverlayInput& input, const T
     }
     if (options.grid) add("occupied", {palette::occupied});
     if (options.grid) add("unknown", {palette::unknown});
+    if (showsRemoved(input, options)) add("removed", {palette::removed});
 }
 
 std::vector<Entry> legendEntries(const OverlayInput& input, const TOverlayOptions& o, double unit)

@@ -15,11 +15,18 @@ constexpr double kStripe_px = 3.0;
 
 /** What one pixel shows before it gets a colour; a place's id, or one of the states that have none. */
 using Content = std::uint32_t;
-constexpr Content kFree = 0, kUnknown = 0x10000U, kOccupied = 0x10001U;
+constexpr Content kFree = 0, kUnknown = 0x10000U, kOccupied = 0x10001U, kRemoved = 0x10002U;
+constexpr std::size_t kContents = kRemoved + 1;
 
 std::uint32_t pack(Rgb c)
 {
     return (std::uint32_t{c.red} << 16U) | (std::uint32_t{c.green} << 8U) | c.blue;
+}
+
+/** Places have free cells, and those of things that the filter took away. */
+bool isRemoved(CellState state, PlaceId id)
+{
+    return id != 0 && state != CellState::Free;
 }
 
 /** Pools square blocks of cells, one row of blocks at a time, by majority voting in one pass (Boyer and
@@ -31,6 +38,7 @@ class BlockPool
         : m_input(input),
           m_showGrid(options.grid),
           m_showPlaces(options.places && !input.places.ids.empty()),
+          m_showRemoved(options.removed && !input.places.ids.empty()),
           m_window(layout.window),
           m_block(layout.reduce),
           m_votes(columns(layout)),
@@ -56,10 +64,12 @@ class BlockPool
         std::uint32_t lead = 0;
         std::int64_t knownLead = 0;  // known cells minus unknown ones
         bool occupied = false;
+        bool removed = false;
 
         Content result() const
         {
             if (occupied) return kOccupied;
+            if (removed) return kRemoved;
             return knownLead < 0 ? kUnknown : candidate;
         }
         void add(Content id)
@@ -78,13 +88,19 @@ class BlockPool
     void addCells(int y)
     {
         const CellState* states = m_input.grid.row(y);
-        const PlaceId* ids =
-            m_showPlaces ? m_input.places.ids.data() + m_input.places.index({0, y}) : nullptr;
+        const PlaceId* ids = m_showPlaces || m_showRemoved
+                                 ? m_input.places.ids.data() + m_input.places.index({0, y})
+                                 : nullptr;
         const int last = m_window.left + m_window.width;
         int x = m_window.left;
         for (Vote& vote : m_votes)
             for (const int end = std::min(last, x + m_block); x < end; ++x) {
-                const Content id = ids != nullptr ? ids[x] : kFree;
+                if (m_showRemoved && isRemoved(states[x], ids[x])) {
+                    vote.removed = true;
+                    ++vote.knownLead;
+                    continue;
+                }
+                const Content id = m_showPlaces ? ids[x] : kFree;
                 if (m_showGrid && states[x] == CellState::Occupied) vote.occupied = true;
                 if (m_showGrid && states[x] == CellState::Unknown && id == kFree)
                     --vote.knownLead;
@@ -96,7 +112,7 @@ class BlockPool
     }
 
     const OverlayInput& m_input;
-    bool m_showGrid, m_showPlaces;
+    bool m_showGrid, m_showPlaces, m_showRemoved;
     CellWindow m_window;
     int m_block;
     std::vector<Vote> m_votes;
@@ -108,9 +124,9 @@ class Paint
 {
  public:
     Paint(const OverlayInput& input, const Layout& layout)
-        : m_plain(kOccupied + 1),
-          m_rim(kOccupied + 1),
-          m_corridor(kOccupied + 1, false),
+        : m_plain(kContents),
+          m_rim(kContents),
+          m_corridor(kContents, false),
           m_period(std::max(4, static_cast<int>(std::lround(kHatchPeriod_px * layout.unit)))),
           m_stripe(std::max(1, static_cast<int>(std::lround(kStripe_px * layout.unit))))
     {
@@ -121,6 +137,7 @@ class Paint
         }
         m_plain[kUnknown] = m_rim[kUnknown] = pack(palette::unknown);
         m_plain[kOccupied] = m_rim[kOccupied] = pack(palette::occupied);
+        m_plain[kRemoved] = m_rim[kRemoved] = pack(palette::removed);
         for (const auto& [id, place] : input.map.places()) m_corridor[id] = place.kind == PlaceKind::Corridor;
     }
 
@@ -173,6 +190,14 @@ void paintRow(const std::vector<Content>& row, const std::vector<Content>& below
     }
 }
 }  // namespace
+
+bool showsRemoved(const OverlayInput& input, const TOverlayOptions& options)
+{
+    if (!options.removed) return false;
+    for (std::size_t i = 0; i < input.places.ids.size(); ++i)
+        if (isRemoved(input.grid[i], input.places.ids[i])) return true;
+    return false;
+}
 
 Raster drawCells(const OverlayInput& input, const TOverlayOptions& options, const Layout& layout)
 {

@@ -19,10 +19,15 @@ struct Raster
     std::vector<std::uint32_t> pixels;
 };
 
-/** The cells as pixels: grid, place tints, a darker rim between places, hatched corridors.
+/** Whether the picture shows something that the filter took away. */
+bool showsRemoved(const OverlayInput& input, const TOverlayOptions& options);
+
+/** The cells as pixels: grid, what the filter took out of it, place tints, a darker rim between places,
+ * hatched corridors.
  *
- * Enlarging repeats cells; reducing pools them: occupied when any cell is, else free when at least half are
- * not unknown, of the place that has the majority of them (or, without one, of some place among them).
+ * Enlarging repeats cells; reducing pools them: occupied when any cell is, else removed when any is, else
+ * free when at least half are not unknown, of the place that has the majority of them (or, without one, of
+ * some place among them).
  */
 Raster drawCells(const OverlayInput& input, const TOverlayOptions& options, const Layout& layout);
 }  // namespace gr2to::view

@@ -30,6 +30,7 @@ struct TOverlayOptions : OptionTable
 {
     bool grid = true;             //!< occupied and unknown cells
     bool places = true;           //!< a tint a place; corridors are hatched
+    bool removed = true;          //!< what the filter took away: cells of places that are not free
     bool ids = true;              //!< number of each place
     bool voronoi = true;          //!< Voronoi diagram
     bool critical_points = true;  //!< where its clearance is least

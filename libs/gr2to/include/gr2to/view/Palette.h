@@ -26,6 +26,7 @@ namespace palette
 {
 inline constexpr Rgb unknown{170, 174, 178};
 inline constexpr Rgb occupied{90, 90, 90};
+inline constexpr Rgb removed{150, 90, 20};  //!< occupied or unknown, but taken out by the filter
 inline constexpr Rgb free{255, 255, 255};  //!< free cells that belong to no place
 inline constexpr Rgb ink{17, 17, 17};      //!< walls, connections and text
 inline constexpr Rgb halo{255, 255, 255};  //!< around text and doors

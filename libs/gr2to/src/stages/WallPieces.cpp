@@ -1,0 +1,108 @@
+#include "WallPieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gr2to
+{
+std::vector<bool> WallPieces::find(Runs& runs, const Stands& stands)
+{
+    std::vector<const WallSegment*> pieces;
+    m_inRow.clear();
+    for (const WallSegment& s : m_segments) {
+        const bool isWall = stands(runs.root(runs.find(m_grid.index(s.cell))));
+        const bool isPiece = length_cells(s) >= m_rules.minAlignedLength_cells && isThin(s);
+        if (isPiece) pieces.push_back(&s);
+        if (!isWall && !isPiece) continue;
+        m_inRow[{s.direction, s.beginRow}].push_back(&s);
+        if (s.endRow != s.beginRow) m_inRow[{s.direction, s.endRow}].push_back(&s);
+    }
+    std::vector<bool> isWall(runs.runs().size(), false);
+    for (const WallSegment* s : pieces) {
+        if (length_cells(*s) < m_rules.minLength_cells && !isInLine(*s) && !facesAStub(*s, runs, stands))
+            continue;
+        std::vector<Cell> cells = middleOf(*s);
+        cells.push_back(s->cell);
+        for (const Cell c : cells)
+            if (isObstacle(c)) isWall[runs.root(runs.find(m_grid.index(c)))] = true;
+    }
+    return isWall;
+}
+
+/** The cells in the middle of a straight stretch, from its begin to its end. */
+std::vector<Cell> WallPieces::middleOf(const WallSegment& s) const
+{
+    std::vector<Cell> cells;
+    for (int step = s.begin; step <= s.end; ++step) {
+        const double part = static_cast<double>(step - s.begin) / std::max(1, s.end - s.begin);
+        const int rise = static_cast<int>(std::lround(part * (s.endRow - s.beginRow)));
+        cells.push_back(m_directions[s.direction].cell(step, s.beginRow + rise));
+    }
+    return cells;
+}
+
+bool WallPieces::isThinAt(const LineDirection& direction, int step, int row) const
+{
+    const int most = static_cast<int>(m_rules.mostThickness_cells * direction.stretch());  // rows
+    int up = 0, down = 0;
+    while (up <= most && !m_grid.isFree(direction.cell(step, row + up))) ++up;
+    while (down <= most && !m_grid.isFree(direction.cell(step, row - down))) ++down;
+    return up + down - 1 <= most;
+}
+
+bool WallPieces::isThin(const WallSegment& s) const
+{
+    const LineDirection& direction = m_directions[s.direction];
+    const std::vector<Cell> middle = middleOf(s);
+    const auto thin = std::count_if(middle.begin(), middle.end(), [&](Cell c) {
+        return isThinAt(direction, direction.step(c), direction.row(c));
+    });
+    return 2 * static_cast<std::size_t>(thin) >= middle.size();
+}
+
+/** Whether a wall or another piece goes on in line with one, at most a doorway beyond either end. */
+bool WallPieces::isInLine(const WallSegment& s) const
+{
+    const double stretch = m_directions[s.direction].stretch();
+    const int rows = static_cast<int>(m_rules.inLine_cells * stretch);
+    const int doorway = static_cast<int>(m_rules.doorway_cells / stretch);
+    const auto goesOn = [&](const WallSegment& other, bool ahead, int row) {
+        const int gap = ahead ? other.begin - s.end : s.begin - other.end;
+        const int facingRow = ahead ? other.beginRow : other.endRow;
+        return gap > 0 && gap <= doorway && std::abs(facingRow - row) <= rows;
+    };
+    for (const bool ahead : {false, true}) {
+        const int row = ahead ? s.endRow : s.beginRow;
+        for (auto at = m_inRow.lower_bound({s.direction, row - rows});
+             at != m_inRow.end() && at->first.first == s.direction && at->first.second <= row + rows; ++at)
+            if (std::any_of(at->second.begin(), at->second.end(),
+                            [&](const WallSegment* other) { return goesOn(*other, ahead, row); }))
+                return true;
+    }
+    return false;
+}
+
+/** Whether the first obstacle ahead, at most a doorway beyond either end, is a thin stub of something that
+ * stands. */
+bool WallPieces::facesAStub(const WallSegment& s, Runs& runs, const Stands& stands) const
+{
+    const LineDirection& direction = m_directions[s.direction];
+    const int doorway = static_cast<int>(m_rules.doorway_cells / direction.stretch());
+    const double length = m_rules.stub_cells / direction.stretch();
+    for (const int sense : {-1, 1}) {
+        const int row = sense > 0 ? s.endRow : s.beginRow;
+        int step = (sense > 0 ? s.end : s.begin) + sense;
+        const auto cell = [&] { return direction.cell(step, row); };
+        for (int k = 0; k < 3 && isObstacle(cell()); ++k) step += sense;  // its own ragged end
+        for (int k = 0; k < doorway && m_grid.isFree(cell()); ++k) step += sense;
+        if (!isObstacle(cell()) || !stands(runs.root(runs.find(m_grid.index(cell()))))) continue;
+        int stub = 0;
+        while (stub < length && isObstacle(cell()) && isThinAt(direction, step, row)) {
+            step += sense;
+            ++stub;
+        }
+        if (stub >= length) return true;
+    }
+    return false;
+}
+}  // namespace gr2to
