@@ -112,6 +112,7 @@ INSTANTIATE_TEST_SUITE_P(
     Files, CliBadInput,
     testing::Values(BadInput{"missing", image("absent.png"), {"'absent.png'", "does not exist"}},
                     BadInput{"directory", image("folder.png"), {"'folder.png'", "folder"}},
+                    BadInput{"device", image("/dev/zero"), {"'/dev/zero'", "device"}},
                     BadInput{"empty", image("empty.png"), {"'empty.png'", "empty"}},
                     BadInput{"truncatedPng", image("truncated.png"), {"'truncated.png'", "truncated"}},
                     BadInput{"truncatedPgm", image("truncated.pgm"), {"'truncated.pgm'", "truncated"}},

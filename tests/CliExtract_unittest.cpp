@@ -187,6 +187,17 @@ TEST_F(CliExtract, presetGivesWayToTheFileAndTheFileToTheCommandLine)
               (json{{"min_width", 0.6}, {"max_width", 1.2}}));
 }
 
+TEST_F(CliExtract, optionsWithoutEffectAreNoted)
+{
+    const auto idle = run({"rooms.yaml", "-o", "out", "--place-min-depth", "0.5"});
+    EXPECT_EQ(idle.code, 0);
+    EXPECT_THAT(idle.err, HasSubstr("note: 'place.min_depth' has no effect while cut.along_walls is yes\n"));
+    const auto used = run({"rooms.yaml", "-o", "out", "--preset", "paper", "--place-min-depth", "0.5"});
+    EXPECT_THAT(used.err, Not(HasSubstr("has no effect")));
+    const auto quiet = run({"rooms.yaml", "-o", "out", "-q", "--place-min-depth", "0.5"});
+    EXPECT_EQ(quiet.err, "");
+}
+
 TEST_F(CliExtract, layersAreSwitchedByOptions)
 {
     ASSERT_EQ(run({"rooms.yaml", "-o", "all"}).code, 0);

@@ -91,7 +91,7 @@ TEST_F(CliInfo, tellsAboutATopologicalMapInEitherForm)
     for (const std::string file : {"map.xml", "map.gr2to"}) {
         const std::string text = printed({"info", file});
         for (const char* part :
-             {"office.yaml, 0.05 m", "3 of 60.00 m2: 2 rooms, 1 corridors", "2: 1 doors, 1 openings",
+             {"office.yaml, 0.05 m", "3 of 60.00 m2: 2 rooms, 1 corridor", "2: 1 door, 1 opening",
               " 2  corridor    20.00  2.00  2.00         1, 3", "Büro"})
             EXPECT_THAT(text, HasSubstr(part)) << file;
         const json info = json::parse(printed({"info", file, "--json"}));

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <thread>
+
 #include "gr2to/base/errors.h"
 #include "gr2to/io/XmlMap.h"
 #include "gr2to/mrpt/archive.h"
@@ -58,6 +60,56 @@ TEST(Gr2To, sameGridAndOptionsGiveTheSameBytes)
         EXPECT_EQ(a.places.ids, b.places.ids);
         const Extraction fresh = Gr2To(Gr2ToOptions::preset(preset)).extract(grid);
         EXPECT_EQ(toXml(fresh.map), toXml(a.map)) << "no state is kept";
+    }
+}
+
+TEST(Gr2To, manyThreadsWithOnePipelineGiveTheSameBytes)
+{
+    const auto grid = test::generateBuilding(test::buildingOptions(7, 20, 0.15)).grid;
+    for (const char* preset : {"default", "paper"}) {
+        const Gr2To pipeline(Gr2ToOptions::preset(preset));
+        const std::string alone = toXml(pipeline.extract(grid).map);
+        std::vector<std::string> texts(6);
+        std::vector<std::thread> threads;
+        for (std::string& text : texts)
+            threads.emplace_back([&] { text = toXml(pipeline.extract(grid).map); });
+        for (std::thread& thread : threads) thread.join();
+        for (const std::string& text : texts) EXPECT_EQ(text, alone) << preset;
+    }
+}
+
+/** Sets an option to another value of its range. */
+static void change(const OptionField& field)
+{
+    if (auto* const* truth = std::get_if<bool*>(&field.value))
+        **truth = !**truth;
+    else if (auto* const* number = std::get_if<double*>(&field.value))
+        **number = **number == field.minimum ? 0.5 * (field.minimum + field.maximum)
+                                             : 0.5 * (**number + field.minimum);
+    else
+        ADD_FAILURE() << field.name << ": no idle option had this type when the test was written";
+}
+
+TEST(Gr2To, idleOptionsHaveNoEffect)
+{
+    const auto grid = test::generateBuilding(test::buildingOptions(5, 20, 0.15)).grid;
+    for (const bool alongWalls : {true, false}) {
+        Gr2ToOptions options;
+        options.cut.along_walls = alongWalls;
+        const std::string usual = toXml(Gr2To(options).extract(grid).map);
+        int idle = 0;
+        for (OptionTable* table : options.tables())
+            for (const OptionField& field : table->fields()) {
+                const std::string key = table->section() + "." + field.name;
+                if (!options.isIdle(key)) continue;
+                ++idle;
+                const std::string before = field.valueText();
+                change(field);
+                EXPECT_NE(field.valueText(), before) << key;
+                EXPECT_EQ(toXml(Gr2To(options).extract(grid).map), usual) << key;
+                table->set(field.name, before);
+            }
+        EXPECT_GT(idle, 5);
     }
 }
 

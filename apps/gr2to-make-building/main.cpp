@@ -114,13 +114,13 @@ int main(int argc, char** argv)
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? kDone : kBadUsage;
     } catch (const gr2to::InputError& e) {
-        std::cerr << "gr2to-make-building: " << e.what() << '\n';
+        std::cerr << "gr2to-make-building: error: " << e.what() << '\n';
         return kBadUsage;
     } catch (const std::invalid_argument& e) {
-        std::cerr << "gr2to-make-building: " << e.what() << '\n';
+        std::cerr << "gr2to-make-building: error: " << e.what() << '\n';
         return kBadUsage;
     } catch (const std::exception& e) {
-        std::cerr << "gr2to-make-building: " << e.what() << '\n';
+        std::cerr << "gr2to-make-building: error: " << e.what() << '\n';
         return kFailed;
     }
 }

@@ -37,11 +37,6 @@ std::size_t peakMemory()
     return static_cast<std::size_t>(usage.ru_maxrss) * 1024;
 }
 
-std::string counted(std::size_t count, const std::string& singular)
-{
-    return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
-}
-
 std::string rangeText(const CompressedRange& range)
 {
     const auto origin = [](bool found, const char* surface) {
@@ -129,8 +124,8 @@ std::string ExtractReport::text() const
                        megabytes(peakMemory()) + "; " + megabytes(m_stagesBytes) + " before drawing, " +
                        megabytes(m_programBytes) + " before reading: " + fixedText(bytesPerCell(), 1) +
                        " bytes a cell\n\n";
-    text += counted(m_counts.rooms, "room") + ", " + counted(m_counts.corridors, "corridor") + ", " +
-            counted(m_counts.doors, "door") + ", " + counted(m_counts.openings, "opening") + "\n";
+    text += countText(m_counts.rooms, "room") + ", " + countText(m_counts.corridors, "corridor") + ", " +
+            countText(m_counts.doors, "door") + ", " + countText(m_counts.openings, "opening") + "\n";
     text += "Written to '" + folder.string() + "':";
     for (const auto& file : files) text += " " + file.filename().string();
     return text + "\nOpen '" + (folder / "overlay.svg").string() + "' in a browser to see them.\n";

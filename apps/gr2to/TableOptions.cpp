@@ -110,7 +110,10 @@ void TableOptions::set(const std::string& key, const std::string& value)
     for (OptionTable* table : m_tables)
         for (const OptionField& field : table->fields()) {
             known.push_back(table->section() + "." + field.name);
-            if (known.back() == key) return table->set(field.name, value);
+            if (known.back() == key) {
+                m_names.insert(key);
+                return table->set(field.name, value);
+            }
         }
     throw std::invalid_argument("unknown option '" + key + "'; did you mean '" + nearestWord(key, known) +
                                 "'?");

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -40,6 +41,8 @@ class TableOptions
     void apply();
     /** Whether anything was given on the command line. */
     bool given() const;
+    /** Names of the options that apply() has set, `section.name`, in order. */
+    const std::set<std::string>& names() const { return m_names; }
 
  private:
     struct Row
@@ -57,5 +60,6 @@ class TableOptions
     std::vector<Row> m_rows;
     std::vector<std::string> m_assignments;
     std::string m_config;
+    std::set<std::string> m_names;
 };
 }  // namespace gr2to::cli

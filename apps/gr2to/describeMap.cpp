@@ -129,10 +129,10 @@ std::string mapText(const std::filesystem::path& file, const TopologicalMap& map
         file.string() + ": topological map\n" + "  made from   " +
         (map.source.empty() ? "unknown" : map.source) + ", " + numberText(map.resolution_m) + " m a cell\n" +
         "  frame       " + map.frame + "\n" + "  places      " + std::to_string(counts.places) + " of " +
-        fixedText(totals.area_m2, 2) + " m2: " + std::to_string(counts.rooms) + " rooms, " +
-        std::to_string(counts.corridors) + " corridors; words: " + std::to_string(totals.words) + "\n" +
+        fixedText(totals.area_m2, 2) + " m2: " + countText(counts.rooms, "room") + ", " +
+        countText(counts.corridors, "corridor") + "; words: " + std::to_string(totals.words) + "\n" +
         "  connections " + std::to_string(counts.doors + counts.openings) + ": " +
-        std::to_string(counts.doors) + " doors, " + std::to_string(counts.openings) + " openings\n" +
+        countText(counts.doors, "door") + ", " + countText(counts.openings, "opening") + "\n" +
         "  walls       " + std::to_string(totals.realWalls + totals.virtualWalls) + ": " +
         std::to_string(totals.realWalls) + " real, " + std::to_string(totals.virtualWalls) + " virtual\n";
     if (counts.places > 0) text += "\nPlaces\n" + placesTable(map);

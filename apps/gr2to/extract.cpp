@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "Command.h"
+#include "ExtractFiles.h"
 #include "ExtractReport.h"
 #include "MappedRawlog.h"
 #include "Progress.h"
@@ -42,53 +43,6 @@ std::string storableName(const fs::path& path)
             if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
     return name;
 }
-
-/** Files of one run; they appear together, when all are written. */
-class Output
-{
- public:
-    /** \throws InputError  the folder cannot be written into */
-    explicit Output(fs::path folder) : m_folder(std::move(folder))
-    {
-        for (const char* name : NAMES) m_staged.push_back(m_files.stage(m_folder / name));
-    }
-    /** \throws InputError  the input is one of the files that would be replaced */
-    void spare(const fs::path& input) const
-    {
-        std::error_code ignored;
-        for (const char* name : NAMES)
-            if (!input.empty() && fs::equivalent(input, m_folder / name, ignored))
-                throw InputError("the output '" + (m_folder / name).string() +
-                                 "' would replace the input; choose another folder with -o DIR");
-    }
-    void write(std::size_t index, std::string_view bytes)
-    {
-        writeFile(m_staged.at(index), bytes);
-        m_bytes += bytes.size();
-    }
-    /** A file besides those that every run writes. */
-    void add(const fs::path& name, std::string_view bytes)
-    {
-        m_files.write(m_folder / name, bytes);
-        m_bytes += bytes.size();
-    }
-    void commit() { m_files.commit(); }
-    std::size_t bytes() const { return m_bytes; }
-    std::vector<fs::path> paths() const
-    {
-        std::vector<fs::path> paths;
-        for (const char* name : NAMES) paths.push_back(m_folder / name);
-        return paths;
-    }
-
- private:
-    static constexpr const char* NAMES[] = {"topomap.xml", "topomap.gr2to", "places.png",
-                                            "overlay.png", "overlay.svg",   "topomap.simplemap"};
-    fs::path m_folder;
-    OutputTransaction m_files;
-    std::vector<fs::path> m_staged;
-    std::size_t m_bytes = 0;
-};
 
 /** Adds rows for what the application does around the pipeline. */
 class Stopwatch
@@ -146,10 +100,11 @@ class Extract : public Command
     int run() override;
 
  private:
-    InputMap read(const Output& output, Progress& progress);
+    void noteIdleOptions() const;
+    InputMap read(const ExtractFiles& output, Progress& progress);
     InputMap readAfterMapping(Progress& progress);
     Extraction extract(const CompressedGrid& input, Progress& progress);
-    void write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress);
+    void write(const ClassifiedGrid& grid, Extraction& extraction, ExtractFiles& output, Progress& progress);
 
     std::string m_input;
     std::string m_folder;
@@ -196,6 +151,7 @@ int Extract::run()
 {
     m_stages = Gr2ToOptions::preset(m_preset);
     m_tables->apply();
+    if (!m_quiet) noteIdleOptions();
     const fs::path folder = m_folder.empty() ? baseName(m_input) : fs::path(m_folder);
     if (m_folder.empty() && fs::exists(folder) && !fs::is_directory(folder))
         throw InputError("the default output folder '" + folder.string() +
@@ -204,7 +160,7 @@ int Extract::run()
     m_report.preset = m_preset;
     m_report.folder = folder;
     Progress progress(!m_quiet);
-    Output output(folder);
+    ExtractFiles output(folder);
     const InputMap input = read(output, progress);
     const ClassifiedGrid& grid = input.map.grid;
     Extraction extraction = extract(input.map, progress);
@@ -218,7 +174,16 @@ int Extract::run()
     return kDone;
 }
 
-InputMap Extract::read(const Output& output, Progress& progress)
+/** Who gives an option that does nothing wants to know. */
+void Extract::noteIdleOptions() const
+{
+    for (const std::string& name : m_tables->names())
+        if (m_stages.isIdle(name))
+            std::cerr << "gr2to: note: '" << name << "' has no effect while cut.along_walls is "
+                      << (m_stages.cut.along_walls ? "yes" : "no") << '\n';
+}
+
+InputMap Extract::read(const ExtractFiles& output, Progress& progress)
 {
     progress.step("reading " + baseName(m_input).string());
     m_report.noteProgramMemory();
@@ -262,7 +227,8 @@ Extraction Extract::extract(const CompressedGrid& input, Progress& progress)
     return extraction;
 }
 
-void Extract::write(const ClassifiedGrid& grid, Extraction& extraction, Output& output, Progress& progress)
+void Extract::write(const ClassifiedGrid& grid, Extraction& extraction, ExtractFiles& output,
+                    Progress& progress)
 {
     progress.step("drawing");
     m_watch.lap();

@@ -74,6 +74,8 @@ std::string readFile(const fs::path& path)
     const auto status = fs::status(path, error);
     if (!fs::exists(status)) throw InputError("'" + path.string() + "' does not exist");
     if (fs::is_directory(status)) throw InputError("'" + path.string() + "' is a folder; name a file in it");
+    if (fs::is_character_file(status) || fs::is_block_file(status) || fs::is_socket(status))
+        throw InputError("'" + path.string() + "' is a device, not a file; name a file or a pipe");
     std::ifstream in(path, std::ios::binary);
     if (!in) throw InputError("'" + path.string() + "' cannot be opened: " + reason());
     std::string bytes;

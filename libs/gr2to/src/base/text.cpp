@@ -28,6 +28,11 @@ std::uint32_t takeCodePoint(std::string_view& bytes)
 }
 }  // namespace
 
+std::string countText(std::size_t count, const std::string& singular)
+{
+    return std::to_string(count) + " " + singular + (count == 1 ? "" : "s");
+}
+
 std::string numberText(double value)
 {
     char buffer[64];

@@ -1,6 +1,7 @@
 #include <mrpt/config/CConfigFileBase.h>
 
 #include <algorithm>
+#include <set>
 #include <stdexcept>
 
 #include "gr2to/pipeline/Gr2To.h"
@@ -69,6 +70,23 @@ void Gr2ToOptions::loadFrom(const mrpt::config::CConfigFileBase& source)
         for (const std::string& key : keys) set(prefix + key, source.read_string(section, key, ""));
     }
     check();
+}
+
+bool Gr2ToOptions::isIdle(const std::string& key) const
+{
+    static const std::set<std::string> onCircles{"place.door_support",
+                                                 "place.one_door_per_candidate",
+                                                 "place.min_radius",
+                                                 "place.meet_at_narrowest",
+                                                 "place.min_depth",
+                                                 "place.narrow_opening",
+                                                 "delimitation.corridor_radius_tolerance",
+                                                 "delimitation.corridor_angle_tolerance"};
+    static const std::set<std::string> onWalls{"filter.min_wall", "filter.min_aligned_wall",
+                                               "filter.max_wall_thickness"};
+    if (cut.along_walls) return onCircles.count(key) > 0;
+    const std::string section = key.substr(0, key.find('.'));
+    return onWalls.count(key) > 0 || section == "wall" || (section == "cut" && key != "cut.along_walls");
 }
 
 void Gr2ToOptions::check()

@@ -7,6 +7,9 @@
 
 namespace gr2to
 {
+/** `1 door`, `2 doors`. */
+std::string countText(std::size_t count, const std::string& singular);
+
 /** Shortest text that reads back to exactly the same number. */
 std::string numberText(double value);
 

@@ -52,6 +52,8 @@ struct Gr2ToOptions
     void loadFrom(const mrpt::config::CConfigFileBase& source);
     /** \throws std::invalid_argument  an option breaks its rule */
     void check();
+    /** Whether an option `section.name` has no effect on grids as long as `cut.along_walls` is as it is. */
+    bool isIdle(const std::string& key) const;
 };
 
 /** What a stage did: for the table at the end of `gr2to extract`. */
