@@ -57,13 +57,10 @@ void FaceMap::joinCuts(std::vector<std::size_t> cells)
 
 std::vector<FaceMap::Piece> FaceMap::piecesOf(const CandidateCut& cut) const
 {
-    constexpr int thickness = 3;  // rows that cuts side by side may take
     const LineDirection& d = cut.direction;
     const auto [first, last] = std::minmax({d.step(cut.cells.front()), d.step(cut.cells.back())});
     const auto faceBeside = [&](int step, int sense) {
-        for (int k = 1; k <= thickness; ++k)
-            if (const int face = at(d, step, cut.row + sense * k); face != 0) return face;
-        return 0;
+        return at(d, step, cut.row + sense);
     };
     std::vector<Piece> pieces;
     for (int t = first; t <= last; ++t) {
