@@ -38,7 +38,11 @@ std::vector<OptionField> TCutOptions::fields()
         {"max_depth", &max_depth, "m", "How far from a border the width of the space beside it is measured.",
          0.1, 20},
         {"min_area", &min_area, "m2", "Smallest place.", 0, 1000},
-        {"min_radius", &min_radius, "m", "Smallest circle that fits into a place.", 0, 10}};
+        {"min_radius", &min_radius, "m", "Smallest circle that fits into a place.", 0, 10},
+        {"min_lone_area", &min_lone_area, "m2",
+         "Smallest place that no passage joins to another one, as rooms seen through a window; half a door's "
+         "least width is the smallest circle that fits in.",
+         0, 1000}};
 }
 
 PlaceCutter::PlaceCutter(TCutOptions options) : m_options(std::move(options))
@@ -82,8 +86,7 @@ PlaceGraph PlaceCutter::build(const std::vector<CandidateCut>& cuts,
     RegionGraphRules graphRules;
     graphRules.minDoor_cells = minDoor_m / resolution;
     graphRules.maxDoor_cells = maxDoor_m / resolution;
-    graphRules.minArea_cells = rules.minPlace_cells;
-    graphRules.minRadius_cells = rules.minRadius_cells;
+    graphRules.minLoneArea_cells = m_options.min_lone_area / cell_m2;
     return graphOfRegions(regions, voronoi, grid, obstacles, distances, graphRules);
 }
 }  // namespace gr2to

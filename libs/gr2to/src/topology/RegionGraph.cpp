@@ -77,19 +77,17 @@ std::vector<Measures> measure(const Regions& regions, const DistanceMap& distanc
 std::vector<int> choosePlaces(const std::vector<Measures>& measures, const RegionGraphRules& rules,
                               std::vector<std::size_t>& order)
 {
-    const auto isLarge = [&](const Measures& m) {
-        return static_cast<double>(m.cells) >= rules.minArea_cells &&
-               m.squaredRadius >= rules.minRadius_cells * rules.minRadius_cells;
+    const auto fitsARobot = [&](const Measures& m) {
+        return m.squaredRadius >= 0.25 * rules.minDoor_cells * rules.minDoor_cells;
     };
     std::size_t widest = 0;
     for (std::size_t r = 1; r < measures.size(); ++r) {
         if (widest == 0 || measures[r].squaredRadius > measures[widest].squaredRadius) widest = r;
-        if (measures[r].hasBorder || isLarge(measures[r])) order.push_back(r);
+        const bool isLarge = static_cast<double>(measures[r].cells) >= rules.minLoneArea_cells;
+        if (measures[r].hasBorder || (isLarge && fitsARobot(measures[r]))) order.push_back(r);
     }
-    // In a map of one small room that room is a place, if a robot fits in.
-    if (order.empty() && widest > 0 &&
-        measures[widest].squaredRadius >= 0.25 * rules.minDoor_cells * rules.minDoor_cells)
-        order.push_back(widest);
+    // In a map of one small room that room is a place.
+    if (order.empty() && widest > 0 && fitsARobot(measures[widest])) order.push_back(widest);
     if (order.size() >= 0xFFFF)
         throw OutputError("the map has " + std::to_string(order.size()) +
                           " places; at most 65534 can be numbered: raise cut.min_area or cut the map");

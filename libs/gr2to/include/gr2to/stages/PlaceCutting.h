@@ -22,6 +22,7 @@ struct TCutOptions : OptionTable
     double max_depth = 1.8;
     double min_area = 1.5;
     double min_radius = 0.5;
+    double min_lone_area = 0.75;
 
     std::string section() const override { return "cut"; }
     std::vector<OptionField> fields() override;

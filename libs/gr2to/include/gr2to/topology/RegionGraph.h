@@ -9,8 +9,7 @@ struct RegionGraphRules
 {
     double minDoor_cells = 10;
     double maxDoor_cells = 30;
-    double minArea_cells = 600;
-    double minRadius_cells = 10;
+    double minLoneArea_cells = 300;  //!< of a place without passages
 };
 
 /** Places, doors and openings of regions and their borders.
