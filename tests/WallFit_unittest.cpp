@@ -19,6 +19,16 @@ std::vector<Eigen::Vector2d> exactLine(double angle_rad, int points)
     return line;
 }
 
+/** The same with gaps in its second half, as walls have. */
+std::vector<Eigen::Vector2d> brokenLine(double angle_rad, int points)
+{
+    const auto line = exactLine(angle_rad, points);
+    std::vector<Eigen::Vector2d> kept;
+    for (std::size_t k = 0; k < line.size(); ++k)
+        if (2 * k < line.size() || k + 1 == line.size() || k % 5 == 0) kept.push_back(line[k]);
+    return kept;
+}
+
 /** What many noisy fits of one line come to. */
 struct Sampled
 {
@@ -27,11 +37,10 @@ struct Sampled
 };
 
 /** Moves every point evenly within its cell, as digitisation does. */
-Sampled sampleFits(double angle_rad, int points, int trials)
+Sampled sampleFits(const std::vector<Eigen::Vector2d>& line, double angle_rad, int trials)
 {
     std::mt19937 random(7);
     const auto uniform = [&] { return (static_cast<double>(random()) / 4294967296.0 - 0.5) * kRes; };
-    const auto line = exactLine(angle_rad, points);
     const LineFit truth = fitLine(line, kRes);
     const Eigen::Vector2d t(std::cos(angle_rad), std::sin(angle_rad)), n(-t.y(), t.x());
     Sampled s;
@@ -66,6 +75,13 @@ TEST(WallFit, exactLinesAreFoundAtOddAngles)
     }
 }
 
+TEST(WallFit, centerIsHalfWayBetweenTheEndsWhereverMostPointsLie)
+{
+    const LineFit even = fitLine(exactLine(0.4, 31), kRes), broken = fitLine(brokenLine(0.4, 31), kRes);
+    EXPECT_LT((broken.center - even.center).norm(), 1e-12);
+    EXPECT_NEAR(broken.length_m, even.length_m, 1e-12);
+}
+
 TEST(WallFit, directionOfBlurredLinesLeansToTheirLongSide)
 {
     std::vector<Eigen::Vector2d> band;
@@ -80,9 +96,10 @@ TEST(WallFit, covarianceIsThatOfManyFitsOfPointsSpreadOverTheirCells)
 {
     for (const double angle : {0.0, 0.4, 1.1}) {
         constexpr int POINTS = 30, TRIALS = 20000;
+        const auto line = angle > 1 ? brokenLine(angle, POINTS) : exactLine(angle, POINTS);
         const Eigen::Vector2d t(std::cos(angle), std::sin(angle)), n(-t.y(), t.x());
-        const LineFit fit = fitLine(exactLine(angle, POINTS), kRes);
-        const Sampled s = sampleFits(angle, POINTS, TRIALS);
+        const LineFit fit = fitLine(line, kRes);
+        const Sampled s = sampleFits(line, angle, TRIALS);
         const double tolerance = 0.05;  // five standard errors of a variance of 20000 samples
         EXPECT_NEAR(n.dot(fit.centerCovariance * n) / s.acrossVariance, 1, tolerance) << angle;
         EXPECT_NEAR(t.dot(fit.centerCovariance * t) / s.alongVariance, 1, tolerance) << angle;
