@@ -22,6 +22,10 @@ std::vector<OptionField> TCutOptions::fields()
     return {
         {"along_walls", &along_walls, "",
          "Whether places are cut along the walls' lines, instead of found as circles."},
+        {"extension", &extension, "m",
+         "How far from a wall's end the next obstacle ahead may be, whatever the wall's length.", 0, 100},
+        {"extension_ratio", &extension_ratio, "ratio",
+         "So many times its length a wall reaches farther: long walls tell more than stubs.", 0, 100},
         {"max_extension", &max_extension, "m",
          "Longest way from the end of a wall to the next obstacle ahead.", 0, 100},
         {"max_offset", &max_offset, "m", "Walls on one line deviate sideways by at most this.", 0, 5},
@@ -57,9 +61,10 @@ std::vector<CandidateCut> PlaceCutter::candidates(const std::vector<WallSegment>
                                                   const HeightMap& heights, double maxLintel_m) const
 {
     const double resolution = grid.resolution_m();
-    std::vector<CandidateCut> cuts =
-        extendWalls(grid, segments, directions, m_options.max_extension / resolution,
-                    m_options.max_offset / resolution, kThickestJamb_m / resolution);
+    const ExtensionRules extensions{m_options.extension / resolution, m_options.extension_ratio,
+                                    m_options.max_extension / resolution, m_options.max_offset / resolution,
+                                    kThickestJamb_m / resolution};
+    std::vector<CandidateCut> cuts = extendWalls(grid, segments, directions, extensions);
     for (CandidateCut& cut : criticalCuts(grid, obstacles, points, m_options.max_critical_line / resolution))
         cuts.push_back(std::move(cut));
     const CutEndRules ends{kThickestFin_m / resolution, kLongestFin_m / resolution, kSolid_m / resolution};

@@ -16,7 +16,8 @@ struct WallEnd
 {
     std::size_t direction;
     int step, row;
-    int sense;  // where the wall would go on, 1 or -1
+    int sense;   // where the wall would go on, 1 or -1
+    int length;  // of the wall [steps]
 };
 
 /** Moves the end on through the obstacle as long as free space is beside it: through the jamb, not through a
@@ -57,31 +58,35 @@ std::vector<Cell> freeBetween(const ClassifiedGrid& grid, Cell from, Cell to)
     if (std::any_of(last, line.end(), isFree)) return {};
     return {first, last};
 }
-}  // namespace
-
-std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
-                                      const std::vector<LineDirection>& directions, double maxLength_cells,
-                                      double lateral_cells, double skip_cells)
+/** Ends of all walls, for looking up those on one line. */
+class WallEnds
 {
-    std::vector<WallEnd> ends;
-    for (const WallSegment& s : segments) {
-        const LineDirection& direction = directions[s.direction];
-        const int reach = static_cast<int>(skip_cells / direction.stretch());
-        for (WallEnd end :
-             {WallEnd{s.direction, s.begin, s.beginRow, -1}, WallEnd{s.direction, s.end, s.endRow, 1}})
-            if (findTip(grid, direction, reach, 4, end)) ends.push_back(end);
+ public:
+    WallEnds(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
+             const std::vector<LineDirection>& directions, double skip_cells)
+    {
+        constexpr int beside = 4;  // rows in which free space keeps a jamb apart from a crossing wall
+        for (const WallSegment& s : segments) {
+            const LineDirection& direction = directions[s.direction];
+            const int reach = static_cast<int>(skip_cells / direction.stretch());
+            const int length = s.end - s.begin + 1;
+            for (WallEnd end : {WallEnd{s.direction, s.begin, s.beginRow, -1, length},
+                                WallEnd{s.direction, s.end, s.endRow, 1, length}})
+                if (findTip(grid, direction, reach, beside, end)) m_ends.push_back(end);
+        }
+        for (const WallEnd& end : m_ends) m_byRow[{end.direction, end.row}].push_back(&end);
     }
-    std::map<std::pair<std::size_t, int>, std::vector<const WallEnd*>> byRow;
-    for (const WallEnd& end : ends) byRow[{end.direction, end.row}].push_back(&end);
-    std::vector<CandidateCut> cuts;
-    for (const WallEnd& end : ends) {
-        const LineDirection& direction = directions[end.direction];
-        const int rows = static_cast<int>(lateral_cells * direction.stretch());
-        const int limit = static_cast<int>(maxLength_cells / direction.stretch());
+
+    const std::vector<WallEnd>& all() const { return m_ends; }
+
+    /** The nearest end ahead that faces this one; null when there is none near its line.
+     * \param rows  off the line at most \param limit  steps ahead at most */
+    const WallEnd* facing(const WallEnd& end, int rows, int limit) const
+    {
         const WallEnd* best = nullptr;
         int bestGap = limit + 1;
-        for (auto at = byRow.lower_bound({end.direction, end.row - rows});
-             at != byRow.end() && at->first.first == end.direction && at->first.second <= end.row + rows;
+        for (auto at = m_byRow.lower_bound({end.direction, end.row - rows});
+             at != m_byRow.end() && at->first.first == end.direction && at->first.second <= end.row + rows;
              ++at)
             for (const WallEnd* other : at->second) {
                 const int gap = (other->step - end.step) * end.sense;
@@ -89,9 +94,30 @@ std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vec
                 best = other;
                 bestGap = gap;
             }
+        return best;
+    }
+
+ private:
+    std::vector<WallEnd> m_ends;
+    std::map<std::pair<std::size_t, int>, std::vector<const WallEnd*>> m_byRow;
+};
+}  // namespace
+
+std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
+                                      const std::vector<LineDirection>& directions,
+                                      const ExtensionRules& rules)
+{
+    const WallEnds ends(grid, segments, directions, rules.skip_cells);
+    std::vector<CandidateCut> cuts;
+    for (const WallEnd& end : ends.all()) {
+        const LineDirection& direction = directions[end.direction];
+        const int rows = static_cast<int>(rules.offset_cells * direction.stretch());
+        const double reach_steps =
+            rules.reach_cells / direction.stretch() + rules.reachPerLength * end.length;
+        const int limit = static_cast<int>(std::min(reach_steps, rules.most_cells / direction.stretch()));
         CandidateCut cut;
-        if (best) {
-            const Cell from = direction.cell(end.step, end.row), to = direction.cell(best->step, best->row);
+        if (const WallEnd* other = ends.facing(end, rows, limit)) {
+            const Cell from = direction.cell(end.step, end.row), to = direction.cell(other->step, other->row);
             cut.cells = freeBetween(grid, from, to);
             cut.kind = CutKind::WallToWall;
             cut.direction = LineDirection(to.x - from.x, to.y - from.y);

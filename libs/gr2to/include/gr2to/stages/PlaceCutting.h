@@ -13,15 +13,17 @@ namespace gr2to
 struct TCutOptions : OptionTable
 {
     bool along_walls = true;
-    double max_extension = 10;
+    double extension = 3;
+    double extension_ratio = 4;
+    double max_extension = 20;
     double max_offset = 0.15;
     double max_critical_line = 3.5;
     double min_evidence = 0;
     double mouth_openness = 0.35;
     double mouth_contrast = 0.6;
     double max_depth = 1.8;
-    double min_area = 1.5;
-    double min_radius = 0.5;
+    double min_area = 2;
+    double min_radius = 0.4;
     double min_lone_area = 0.75;
 
     std::string section() const override { return "cut"; }

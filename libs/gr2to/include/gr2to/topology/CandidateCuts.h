@@ -31,11 +31,21 @@ struct CandidateCut
     bool lintel = false;         //!< a 3D map shows a lintel over it
 };
 
+/** How far walls are extended: a long wall's line tells more than a stub's. */
+struct ExtensionRules
+{
+    double reach_cells = 60;    //!< of every wall
+    double reachPerLength = 4;  //!< and so many times its length
+    double most_cells = 400;    //!< but no farther
+    double offset_cells = 3;    //!< of an opposite wall, off the line
+    double skip_cells = 6;      //!< of obstacle between a wall's end and the free space ahead
+};
+
 /** Extends walls beyond their ends: towards the end of a wall that goes on in the same direction, else to the
  * next obstacle. */
 std::vector<CandidateCut> extendWalls(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments,
-                                      const std::vector<LineDirection>& directions, double maxLength_cells,
-                                      double lateral_cells, double skip_cells);
+                                      const std::vector<LineDirection>& directions,
+                                      const ExtensionRules& rules);
 
 /** Notes which cuts run under a lintel, of those no longer than that. */
 void lookForLintels(const ClassifiedGrid& grid, const HeightMap& heights, double maxLength_cells,
