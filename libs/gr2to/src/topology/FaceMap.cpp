@@ -59,9 +59,7 @@ std::vector<FaceMap::Piece> FaceMap::piecesOf(const CandidateCut& cut) const
 {
     const LineDirection& d = cut.direction;
     const auto [first, last] = std::minmax({d.step(cut.cells.front()), d.step(cut.cells.back())});
-    const auto faceBeside = [&](int step, int sense) {
-        return at(d, step, cut.row + sense);
-    };
+    const auto faceBeside = [&](int step, int sense) { return at(d, step, cut.row + sense); };
     std::vector<Piece> pieces;
     for (int t = first; t <= last; ++t) {
         const int below = faceBeside(t, -1), above = faceBeside(t, 1);

@@ -27,9 +27,9 @@ namespace palette
 inline constexpr Rgb unknown{170, 174, 178};
 inline constexpr Rgb occupied{90, 90, 90};
 inline constexpr Rgb removed{150, 90, 20};  //!< occupied or unknown, but taken out by the filter
-inline constexpr Rgb free{255, 255, 255};  //!< free cells that belong to no place
-inline constexpr Rgb ink{17, 17, 17};      //!< walls, connections and text
-inline constexpr Rgb halo{255, 255, 255};  //!< around text and doors
+inline constexpr Rgb free{255, 255, 255};   //!< free cells that belong to no place
+inline constexpr Rgb ink{17, 17, 17};       //!< walls, connections and text
+inline constexpr Rgb halo{255, 255, 255};   //!< around text and doors
 inline constexpr Rgb door{0, 114, 178};
 inline constexpr Rgb voronoi{0, 110, 80};
 inline constexpr Rgb criticalPoint{240, 228, 66};
