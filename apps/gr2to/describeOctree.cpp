@@ -56,7 +56,7 @@ std::string span(double low, double high)
     return fixedText(low, 3) + " to " + fixedText(high, 3);
 }
 
-std::string countText(std::size_t leaves, std::int64_t voxels)
+std::string leavesText(std::size_t leaves, std::int64_t voxels)
 {
     return std::to_string(voxels) + " voxels in " + std::to_string(leaves) + " leaves";
 }
@@ -77,8 +77,8 @@ std::string octreeText(const std::filesystem::path& file, const OctreeFile& octr
            line("extent", "x " + span(facts.low.x, facts.high.x) + " m, y " +
                               span(facts.low.y, facts.high.y) + " m, z " + span(facts.low.z, facts.high.z) +
                               " m") +
-           line("free", countText(facts.freeLeaves, facts.freeVoxels)) +
-           line("occupied", countText(facts.occupiedLeaves, facts.occupiedVoxels)) +
+           line("free", leavesText(facts.freeLeaves, facts.freeVoxels)) +
+           line("occupied", leavesText(facts.occupiedLeaves, facts.occupiedVoxels)) +
            line("floor", surface(facts.floor_m)) + line("ceiling", surface(facts.ceiling_m));
 }
 

@@ -3,19 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grid/thickness.h"
+
 namespace gr2to
 {
 std::vector<bool> WallPieces::find(Runs& runs, const Stands& stands)
 {
     std::vector<const WallSegment*> pieces;
-    m_inRow.clear();
     for (const WallSegment& s : m_segments) {
         const bool isWall = stands(runs.root(runs.find(m_grid.index(s.cell))));
         const bool isPiece = length_cells(s) >= m_rules.minAlignedLength_cells && isThin(s);
         if (isPiece) pieces.push_back(&s);
         if (!isWall && !isPiece) continue;
-        m_inRow[{s.direction, s.beginRow}].push_back(&s);
-        if (s.endRow != s.beginRow) m_inRow[{s.direction, s.endRow}].push_back(&s);
+        m_begins.add(s.direction, s.beginRow, &s);
+        m_ends.add(s.direction, s.endRow, &s);
     }
     std::vector<bool> isWall(runs.runs().size(), false);
     for (const WallSegment* s : pieces) {
@@ -44,10 +45,7 @@ std::vector<Cell> WallPieces::middleOf(const WallSegment& s) const
 bool WallPieces::isThinAt(const LineDirection& direction, int step, int row) const
 {
     const int most = static_cast<int>(m_rules.mostThickness_cells * direction.stretch());  // rows
-    int up = 0, down = 0;
-    while (up <= most && !m_grid.isFree(direction.cell(step, row + up))) ++up;
-    while (down <= most && !m_grid.isFree(direction.cell(step, row - down))) ++down;
-    return up + down - 1 <= most;
+    return thicknessAcross(m_grid, direction, step, row, most) <= most;
 }
 
 bool WallPieces::isThin(const WallSegment& s) const
@@ -66,20 +64,14 @@ bool WallPieces::isInLine(const WallSegment& s) const
     const double stretch = m_directions[s.direction].stretch();
     const int rows = static_cast<int>(m_rules.inLine_cells * stretch);
     const int doorway = static_cast<int>(m_rules.doorway_cells / stretch);
-    const auto goesOn = [&](const WallSegment& other, bool ahead, int row) {
-        const int gap = ahead ? other.begin - s.end : s.begin - other.end;
-        const int facingRow = ahead ? other.beginRow : other.endRow;
-        return gap > 0 && gap <= doorway && std::abs(facingRow - row) <= rows;
-    };
-    for (const bool ahead : {false, true}) {
-        const int row = ahead ? s.endRow : s.beginRow;
-        for (auto at = m_inRow.lower_bound({s.direction, row - rows});
-             at != m_inRow.end() && at->first.first == s.direction && at->first.second <= row + rows; ++at)
-            if (std::any_of(at->second.begin(), at->second.end(),
-                            [&](const WallSegment* other) { return goesOn(*other, ahead, row); }))
-                return true;
-    }
-    return false;
+    bool found = false;
+    m_begins.forEachNear(s.direction, s.endRow, rows, [&](const WallSegment* other) {
+        found = found || (other->begin > s.end && other->begin - s.end <= doorway);
+    });
+    m_ends.forEachNear(s.direction, s.beginRow, rows, [&](const WallSegment* other) {
+        found = found || (other->end < s.begin && s.begin - other->end <= doorway);
+    });
+    return found;
 }
 
 /** Whether the first obstacle ahead, at most a doorway beyond either end, is a thin stub of something that

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <vector>
 
 #include "gr2to/grid/Runs.h"
 #include "gr2to/grid/WallSegments.h"
+#include "grid/RowIndex.h"
 
 namespace gr2to
 {
@@ -56,7 +56,6 @@ class WallPieces
     const std::vector<WallSegment>& m_segments;
     const std::vector<LineDirection>& m_directions;
     WallPieceRules m_rules;
-    std::map<std::pair<std::size_t, int>, std::vector<const WallSegment*>>
-        m_inRow;  //!< walls and aligned pieces, by direction and row of an end
+    RowIndex<const WallSegment*> m_begins, m_ends;  //!< of walls and aligned pieces
 };
 }  // namespace gr2to

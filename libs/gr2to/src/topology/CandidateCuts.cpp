@@ -1,11 +1,11 @@
 #include "gr2to/topology/CandidateCuts.h"
 
 #include <algorithm>
-#include <map>
 
 #include "gr2to/grid/Circles.h"
 #include "gr2to/grid/Jambs.h"
 #include "gr2to/topology/MeasuredHeight.h"
+#include "grid/RowIndex.h"
 
 namespace gr2to
 {
@@ -74,7 +74,7 @@ class WallEnds
                                 WallEnd{s.direction, s.end, s.endRow, 1, length}})
                 if (findTip(grid, direction, reach, beside, end)) m_ends.push_back(end);
         }
-        for (const WallEnd& end : m_ends) m_byRow[{end.direction, end.row}].push_back(&end);
+        for (const WallEnd& end : m_ends) m_byRow.add(end.direction, end.row, &end);
     }
 
     const std::vector<WallEnd>& all() const { return m_ends; }
@@ -85,21 +85,18 @@ class WallEnds
     {
         const WallEnd* best = nullptr;
         int bestGap = limit + 1;
-        for (auto at = m_byRow.lower_bound({end.direction, end.row - rows});
-             at != m_byRow.end() && at->first.first == end.direction && at->first.second <= end.row + rows;
-             ++at)
-            for (const WallEnd* other : at->second) {
-                const int gap = (other->step - end.step) * end.sense;
-                if (other->sense == end.sense || gap <= 0 || gap >= bestGap) continue;
-                best = other;
-                bestGap = gap;
-            }
+        m_byRow.forEachNear(end.direction, end.row, rows, [&](const WallEnd* other) {
+            const int gap = (other->step - end.step) * end.sense;
+            if (other->sense == end.sense || gap <= 0 || gap >= bestGap) return;
+            best = other;
+            bestGap = gap;
+        });
         return best;
     }
 
  private:
     std::vector<WallEnd> m_ends;
-    std::map<std::pair<std::size_t, int>, std::vector<const WallEnd*>> m_byRow;
+    RowIndex<const WallEnd*> m_byRow;
 };
 }  // namespace
 

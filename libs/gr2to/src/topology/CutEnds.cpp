@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "grid/thickness.h"
+
 namespace gr2to
 {
 namespace
@@ -26,13 +28,10 @@ struct Walk
         return nowhere;
     }
 
-    /** Rows that the obstacle is thick at a depth, counted up to one more than `most` to each side. */
+    /** Rows that the obstacle is thick at a depth. */
     int thickness(int depth, int aside, int most) const
     {
-        int up = 0, down = 0;
-        while (up <= most && !grid.isFree(at(depth, aside + up))) ++up;
-        while (down <= most && !grid.isFree(at(depth, aside - down))) ++down;
-        return up + down - 1;
+        return thicknessAcross(grid, direction, step + sense * depth, row + aside, most);
     }
 };
 
