@@ -156,6 +156,28 @@ TEST(Overlay, aVirtualOpeningIsDashed)
     EXPECT_LT(blue, 160);
 }
 
+TEST(Overlay, anOpeningInTheOpenLiesWhereItsPlacesTouch)
+{
+    TwoRooms rooms;
+    for (std::size_t i = 0; i < rooms.grid.size(); ++i) rooms.grid[i] = CellState::Free;
+    for (int y = 0; y < 21; ++y)  // the places touch along x + y = 30.5, the connection rises by 2 in 20
+        for (int x = 0; x < 41; ++x)
+            rooms.places.ids[rooms.places.index({x, y})] = x + y <= 30 ? PlaceId{1} : PlaceId{2};
+    Connection opening;
+    opening.id = 3;
+    opening.from = 1;
+    opening.to = 2;
+    const Eigen::Vector2d middle = rooms.grid.frame().toMap(20.25, 10.25);
+    opening.doorway.position.mean = {middle.x(), middle.y(), 0};
+    opening.doorway.size.length_m = 1.2;
+    rooms.map.addConnection(opening);
+    auto options = bare();
+    options.connections = options.critical_points = options.voronoi = false;
+    const MapPicture picture(rooms.input(), options);
+    EXPECT_GT(picture.countOn(16.5, 14, 24, 6.5, palette::door), 60);
+    EXPECT_LT(picture.countOn(20.25, 14, 20.25, 6.5, palette::door), 40);
+}
+
 TEST(Overlay, realWallsAreSolidAndVirtualOnesDashed)
 {
     const TwoRooms rooms;  // real: y = 0 under room 1; virtual: x = 20 beside it

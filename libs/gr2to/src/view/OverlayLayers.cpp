@@ -81,11 +81,15 @@ Vector2d centerOf(const Scene& scene, PlaceId id)
     return scene.gridPoint(center.x, center.y);
 }
 
-/** Direction of a doorway along the grid's axes: from its jambs, else square to the line between its places.
- */
+/** Direction of a doorway along the grid's axes: from its jambs, or of an opening from where its places
+ * touch, which its jambs may be far from; else square to the line between its places. */
 Vector2d directionOf(const Scene& scene, const Connection& connection, const Vector2d& center)
 {
     const double length_cells = connection.doorway.size.length_m / scene.input.grid.resolution_m();
+    if (!connection.doorway.real)
+        if (const auto found = contactDirection(scene.input.places, connection.from, connection.to, center,
+                                                length_cells / 2 + 2))
+            return *found;
     if (const auto found = doorDirection(scene.input.grid, center, length_cells + 2)) return *found;
     const Vector2d between = centerOf(scene, connection.to) - centerOf(scene, connection.from);
     return between.norm() > 0 ? Vector2d(-between.y(), between.x()).normalized() : Vector2d(1, 0);

@@ -65,4 +65,36 @@ std::optional<Eigen::Vector2d> doorDirection(const ClassifiedGrid& grid, const E
     if (sum.norm() < 1e-9) return std::nullopt;
     return unit(std::atan2(sum.y(), sum.x()) / 2);
 }
+
+std::optional<Eigen::Vector2d> contactDirection(const PlaceImage& places, PlaceId a, PlaceId b,
+                                                const Eigen::Vector2d& center, double reach_cells)
+{
+    const auto low = [&](double middle) { return std::max(0, static_cast<int>(middle - reach_cells)); };
+    const auto high = [&](double middle, int size) {
+        return static_cast<int>(std::min<double>(size - 1, middle + reach_cells));
+    };
+    const auto touch = [&](Cell one, Cell other) {
+        const PlaceId first = places.at(one), second = places.at(other);
+        return (first == a && second == b) || (first == b && second == a);
+    };
+    Eigen::Vector2d sum(0, 0), squares(0, 0);
+    double product = 0, count = 0;
+    const auto add = [&](double x, double y) {
+        const Eigen::Vector2d p(x - center.x(), y - center.y());
+        sum += p;
+        squares += p.cwiseProduct(p);
+        product += p.x() * p.y();
+        ++count;
+    };
+    const int right = high(center.x(), places.width), top = high(center.y(), places.height);
+    for (int y = low(center.y()); y <= top; ++y)
+        for (int x = low(center.x()); x <= right; ++x) {
+            if (x < right && touch({x, y}, {x + 1, y})) add(x + 0.5, y);
+            if (y < top && touch({x, y}, {x, y + 1})) add(x, y + 0.5);
+        }
+    if (count < 2) return std::nullopt;
+    const Eigen::Vector2d spread = squares - sum.cwiseProduct(sum) / count;
+    product -= sum.x() * sum.y() / count;
+    return unit(std::atan2(2 * product, spread.x() - spread.y()) / 2);
+}
 }  // namespace gr2to::view

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "gr2to/grid/ClassifiedGrid.h"
+#include "gr2to/grid/PlaceImage.h"
 
 namespace gr2to::view
 {
@@ -20,4 +21,13 @@ namespace gr2to::view
  */
 std::optional<Eigen::Vector2d> doorDirection(const ClassifiedGrid& grid, const Eigen::Vector2d& center,
                                              double reach_cells);
+
+/** Along which direction two places touch around a point: the principal axis of where they do.
+ *
+ * \param center       continuous grid coordinates [cells]
+ * \param reach_cells  half the side of the square that is looked at
+ * \return unit vector along the grid's axes, its sign arbitrary; none where they touch at less than two spots
+ */
+std::optional<Eigen::Vector2d> contactDirection(const PlaceImage& places, PlaceId a, PlaceId b,
+                                                const Eigen::Vector2d& center, double reach_cells);
 }  // namespace gr2to::view
