@@ -113,7 +113,9 @@ TEST(GridFilter, piecesBetweenDoorsStayWhenTheyAreInLineWithAWall)
     EXPECT_TRUE(isKept(68, 83, 41, 43)) << "not quite in line, as walls of maps are";
     EXPECT_FALSE(isKept(68, 83, 20, 22)) << "the same piece in the middle of the room";
     EXPECT_FALSE(isKept(72, 79, 39, 41)) << "shorter than pieces of wall are";
-    EXPECT_FALSE(isKept(68, 83, 34, 47)) << "too thick to be a wall";
+    EXPECT_TRUE(isKept(64, 87, 37, 46)) << "as thick as walls are that bear";
+    EXPECT_FALSE(isKept(64, 87, 17, 26)) << "as thick in the middle of the room";
+    EXPECT_FALSE(isKept(64, 87, 32, 48)) << "too thick to be a wall";
 }
 
 TEST(GridFilter, piecesInLineWithAStubOrAnotherPieceStay)
@@ -136,7 +138,7 @@ TEST(GridFilter, piecesInLineWithAStubOrAnotherPieceStay)
 TEST(GridFilter, longPiecesStayWhereverTheyStand)
 {
     EXPECT_TRUE(isKept(60, 85, 20, 22)) << "1.3 m long";
-    EXPECT_FALSE(isKept(60, 85, 14, 27)) << "and 0.7 m thick";
+    EXPECT_FALSE(isKept(60, 85, 17, 25)) << "thicker than partitions are";
 }
 
 TEST(GridFilter, pipelineNeedsAnObstacleThatIsLeft)

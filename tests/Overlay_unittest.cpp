@@ -6,53 +6,17 @@
 
 #include "gr2to/base/errors.h"
 #include "gr2to/view/Palette.h"
-#include "support/picture.h"
+#include "support/mapPicture.h"
 #include "support/twoRooms.h"
 
 namespace
 {
 using namespace gr2to;
+using test::bare;
 using test::decodePng;
+using test::MapPicture;
 using test::Picture;
 using test::TwoRooms;
-
-TOverlayOptions bare()
-{
-    TOverlayOptions options;
-    options.legend = options.scale_bar = false;
-    return options;
-}
-
-/** Reads a picture without a strip by cells; fractions of a cell are allowed. */
-class MapPicture
-{
- public:
-    MapPicture(const OverlayInput& input, const TOverlayOptions& options)
-        : m_picture(decodePng(renderOverlayPng(input, options))),
-          m_rows(input.grid.height()),
-          m_scale(static_cast<double>(m_picture.width) / input.grid.width())
-    {
-    }
-    const Picture& picture() const { return m_picture; }
-    Rgb at(double x, double y) const
-    {
-        return m_picture.at(static_cast<int>((x + 0.5) * m_scale),
-                            static_cast<int>((m_rows - 0.5 - y) * m_scale));
-    }
-    /** How many of 200 pixels on the straight line between two cells have the colour. */
-    int countOn(double x0, double y0, double x1, double y1, Rgb color) const
-    {
-        int hits = 0;
-        for (int i = 0; i < 200; ++i)
-            hits += at(x0 + (x1 - x0) * i / 199.0, y0 + (y1 - y0) * i / 199.0) == color ? 1 : 0;
-        return hits;
-    }
-
- private:
-    Picture m_picture;
-    int m_rows;
-    double m_scale;
-};
 
 int dashedPaths(const std::string& svg)
 {
@@ -118,64 +82,6 @@ TEST(Overlay, everySwitchChangesThePicture)
         EXPECT_NE(renderOverlayPng(rooms.input(), options), png) << layer;
         EXPECT_NE(renderOverlaySvg(rooms.input(), options), svg) << layer;
     }
-}
-
-TEST(Overlay, aRealDoorSpansItsGapAndNothingElse)
-{
-    const TwoRooms rooms;  // the gap is x = 20, y = 8 ... 12
-    const MapPicture picture(rooms.input(), bare());
-    for (const double y : {7.7, 9.0, 11.0, 12.3}) EXPECT_EQ(picture.at(20, y), palette::door) << y;
-    for (const double y : {6.5, 13.5}) EXPECT_NE(picture.at(20, y), palette::door) << y;
-    for (const double x : {18.5, 21.5}) EXPECT_NE(picture.at(x, 9), palette::door) << x;
-}
-
-TEST(Overlay, aDoorWhoseCentreIsBesideAThinWallStillLiesAlongIt)
-{
-    TwoRooms rooms;
-    rooms.moveDoor(19, 10);
-    const MapPicture picture(rooms.input(), bare());
-    for (const double y : {8.0, 10.0, 12.0}) EXPECT_EQ(picture.at(19, y), palette::door) << y;
-}
-
-TEST(Overlay, aDoorwayInTheOpenIsSquareToItsConnection)
-{
-    TwoRooms rooms;
-    for (std::size_t i = 0; i < rooms.grid.size(); ++i) rooms.grid[i] = CellState::Free;
-    const MapPicture picture(rooms.input(), bare());  // the connection rises by 2 cells in 20
-    for (const double dy : {-2.0, -1.0, 1.0, 2.0})
-        EXPECT_EQ(picture.at(20 - dy / 10, 10 + dy), palette::door) << dy;
-}
-
-TEST(Overlay, aVirtualOpeningIsDashed)
-{
-    const TwoRooms rooms;  // the opening is x = 20, y = 15 ... 18
-    auto options = bare();
-    options.connections = false;
-    const int blue = MapPicture(rooms.input(), options).countOn(20, 14.7, 20, 18.3, palette::door);
-    EXPECT_GT(blue, 60);
-    EXPECT_LT(blue, 160);
-}
-
-TEST(Overlay, anOpeningInTheOpenLiesWhereItsPlacesTouch)
-{
-    TwoRooms rooms;
-    for (std::size_t i = 0; i < rooms.grid.size(); ++i) rooms.grid[i] = CellState::Free;
-    for (int y = 0; y < 21; ++y)  // the places touch along x + y = 30.5, the connection rises by 2 in 20
-        for (int x = 0; x < 41; ++x)
-            rooms.places.ids[rooms.places.index({x, y})] = x + y <= 30 ? PlaceId{1} : PlaceId{2};
-    Connection opening;
-    opening.id = 3;
-    opening.from = 1;
-    opening.to = 2;
-    const Eigen::Vector2d middle = rooms.grid.frame().toMap(20.25, 10.25);
-    opening.doorway.position.mean = {middle.x(), middle.y(), 0};
-    opening.doorway.size.length_m = 1.2;
-    rooms.map.addConnection(opening);
-    auto options = bare();
-    options.connections = options.critical_points = options.voronoi = false;
-    const MapPicture picture(rooms.input(), options);
-    EXPECT_GT(picture.countOn(16.5, 14, 24, 6.5, palette::door), 60);
-    EXPECT_LT(picture.countOn(20.25, 14, 20.25, 6.5, palette::door), 40);
 }
 
 TEST(Overlay, realWallsAreSolidAndVirtualOnesDashed)

@@ -83,7 +83,7 @@ bool Gr2ToOptions::isIdle(const std::string& key) const
                                                  "delimitation.corridor_radius_tolerance",
                                                  "delimitation.corridor_angle_tolerance"};
     static const std::set<std::string> onWalls{"filter.min_wall", "filter.min_aligned_wall",
-                                               "filter.max_wall_thickness"};
+                                               "filter.max_wall_thickness", "filter.max_lone_thickness"};
     if (cut.along_walls) return onCircles.count(key) > 0;
     const std::string section = key.substr(0, key.find('.'));
     return onWalls.count(key) > 0 || section == "wall" || (section == "cut" && key != "cut.along_walls");

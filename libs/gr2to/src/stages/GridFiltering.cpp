@@ -36,6 +36,7 @@ WallPieceRules rulesOf(const TFilterOptions& options, double resolution_m)
     rules.minLength_cells = options.min_wall / resolution_m;
     rules.minAlignedLength_cells = std::min(options.min_wall, options.min_aligned_wall) / resolution_m;
     rules.mostThickness_cells = options.max_wall_thickness / resolution_m;
+    rules.mostLoneThickness_cells = options.max_lone_thickness / resolution_m;
     rules.doorway_cells = kDoorway_m / resolution_m;
     rules.inLine_cells = kInLine_m / resolution_m;
     rules.stub_cells = kStub_m / resolution_m;
@@ -56,7 +57,10 @@ std::vector<OptionField> TFilterOptions::fields()
          "The same where the stretch is in line with another one or with a wall, at most 2 m beyond its end.",
          0, 100},
         {"max_wall_thickness", &max_wall_thickness, "m",
-         "A straight stretch that is thicker than this is furniture or a pillar, no wall.", 0, 10}};
+         "A straight stretch that is thicker than this is furniture or a pillar, no wall.", 0, 10},
+        {"max_lone_thickness", &max_lone_thickness, "m",
+         "The same where the stretch is in line with nothing: partitions are thinner than walls that bear.",
+         0, 10}};
 }
 
 GridFilter::GridFilter(TFilterOptions options) : m_options(std::move(options))

@@ -12,7 +12,8 @@ std::vector<bool> WallPieces::find(Runs& runs, const Stands& stands)
     std::vector<const WallSegment*> pieces;
     for (const WallSegment& s : m_segments) {
         const bool isWall = stands(runs.root(runs.find(m_grid.index(s.cell))));
-        const bool isPiece = length_cells(s) >= m_rules.minAlignedLength_cells && isThin(s);
+        const bool isPiece =
+            length_cells(s) >= m_rules.minAlignedLength_cells && isThin(s, m_rules.mostThickness_cells);
         if (isPiece) pieces.push_back(&s);
         if (!isWall && !isPiece) continue;
         m_begins.add(s.direction, s.beginRow, &s);
@@ -20,8 +21,9 @@ std::vector<bool> WallPieces::find(Runs& runs, const Stands& stands)
     }
     std::vector<bool> isWall(runs.runs().size(), false);
     for (const WallSegment* s : pieces) {
-        if (length_cells(*s) < m_rules.minLength_cells && !isInLine(*s) && !facesAStub(*s, runs, stands))
-            continue;
+        const bool standsAlone =
+            length_cells(*s) >= m_rules.minLength_cells && isThin(*s, m_rules.mostLoneThickness_cells);
+        if (!standsAlone && !isInLine(*s) && !facesAStub(*s, runs, stands)) continue;
         std::vector<Cell> cells = middleOf(*s);
         cells.push_back(s->cell);
         for (const Cell c : cells)
@@ -42,18 +44,18 @@ std::vector<Cell> WallPieces::middleOf(const WallSegment& s) const
     return cells;
 }
 
-bool WallPieces::isThinAt(const LineDirection& direction, int step, int row) const
+bool WallPieces::isThinAt(const LineDirection& direction, int step, int row, double most_cells) const
 {
-    const int most = static_cast<int>(m_rules.mostThickness_cells * direction.stretch());  // rows
+    const int most = static_cast<int>(most_cells * direction.stretch());  // rows
     return thicknessAcross(m_grid, direction, step, row, most) <= most;
 }
 
-bool WallPieces::isThin(const WallSegment& s) const
+bool WallPieces::isThin(const WallSegment& s, double most_cells) const
 {
     const LineDirection& direction = m_directions[s.direction];
     const std::vector<Cell> middle = middleOf(s);
     const auto thin = std::count_if(middle.begin(), middle.end(), [&](Cell c) {
-        return isThinAt(direction, direction.step(c), direction.row(c));
+        return isThinAt(direction, direction.step(c), direction.row(c), most_cells);
     });
     return 2 * static_cast<std::size_t>(thin) >= middle.size();
 }
@@ -89,7 +91,8 @@ bool WallPieces::facesAStub(const WallSegment& s, Runs& runs, const Stands& stan
         for (int k = 0; k < doorway && m_grid.isFree(cell()); ++k) step += sense;
         if (!isObstacle(cell()) || !stands(runs.root(runs.find(m_grid.index(cell()))))) continue;
         int stub = 0;
-        while (stub < length && isObstacle(cell()) && isThinAt(direction, step, row)) {
+        while (stub < length && isObstacle(cell()) &&
+               isThinAt(direction, step, row, m_rules.mostThickness_cells)) {
             step += sense;
             ++stub;
         }

@@ -11,7 +11,8 @@ struct TFilterOptions : OptionTable
     double max_blob_area = 2;
     double min_wall = 1;
     double min_aligned_wall = 0.7;
-    double max_wall_thickness = 0.6;
+    double max_wall_thickness = 0.7;
+    double max_lone_thickness = 0.3;
 
     std::string section() const override { return "filter"; }
     std::vector<OptionField> fields() override;

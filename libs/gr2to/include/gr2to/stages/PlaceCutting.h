@@ -20,7 +20,7 @@ struct TCutOptions : OptionTable
     double max_critical_line = 3.5;
     double min_evidence = 0;
     double mouth_openness = 0.35;
-    double mouth_contrast = 0.6;
+    double mouth_contrast = 0.5;
     double max_depth = 1.8;
     double min_area = 2;
     double min_radius = 0.4;

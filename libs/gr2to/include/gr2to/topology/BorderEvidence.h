@@ -27,7 +27,7 @@ struct BorderMeasures
 struct MouthRules
 {
     double openness = 0.35;  //!< of the more closed side of a mouth, at most
-    double contrast = 0.6;   //!< radius of the narrower region over that of the wider, at most
+    double contrast = 0.5;   //!< radius of the narrower region over that of the wider, at most
 };
 
 /** Log odds that people see two places where a border parts two regions [nat]: positive for two, negative
