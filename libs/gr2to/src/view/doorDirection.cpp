@@ -69,10 +69,7 @@ std::optional<Eigen::Vector2d> doorDirection(const ClassifiedGrid& grid, const E
 std::optional<Eigen::Vector2d> contactDirection(const PlaceImage& places, PlaceId a, PlaceId b,
                                                 const Eigen::Vector2d& center, double reach_cells)
 {
-    const auto low = [&](double middle) { return std::max(0, static_cast<int>(middle - reach_cells)); };
-    const auto high = [&](double middle, int size) {
-        return static_cast<int>(std::min<double>(size - 1, middle + reach_cells));
-    };
+    const auto within = [](double v, int size) { return static_cast<int>(std::clamp(v, 0.0, size - 1.0)); };
     const auto touch = [&](Cell one, Cell other) {
         const PlaceId first = places.at(one), second = places.at(other);
         return (first == a && second == b) || (first == b && second == a);
@@ -86,9 +83,12 @@ std::optional<Eigen::Vector2d> contactDirection(const PlaceImage& places, PlaceI
         product += p.x() * p.y();
         ++count;
     };
-    const int right = high(center.x(), places.width), top = high(center.y(), places.height);
-    for (int y = low(center.y()); y <= top; ++y)
-        for (int x = low(center.x()); x <= right; ++x) {
+    const int left = within(center.x() - reach_cells, places.width),
+              right = within(center.x() + reach_cells, places.width),
+              bottom = within(center.y() - reach_cells, places.height),
+              top = within(center.y() + reach_cells, places.height);
+    for (int y = bottom; y <= top; ++y)
+        for (int x = left; x <= right; ++x) {
             if (x < right && touch({x, y}, {x + 1, y})) add(x + 0.5, y);
             if (y < top && touch({x, y}, {x, y + 1})) add(x, y + 0.5);
         }
