@@ -9,24 +9,32 @@ namespace gr2to
 {
 std::vector<bool> WallPieces::find(Runs& runs, const Stands& stands)
 {
-    std::vector<const WallSegment*> pieces;
+    struct Piece
+    {
+        const WallSegment& segment;
+        std::vector<Cell> middle;
+    };
+    std::vector<Piece> pieces;
     for (const WallSegment& s : m_segments) {
         const bool isWall = stands(runs.root(runs.find(m_grid.index(s.cell))));
+        std::vector<Cell> middle;
+        if (length_cells(s) >= m_rules.minAlignedLength_cells) middle = middleOf(s);
         const bool isPiece =
-            length_cells(s) >= m_rules.minAlignedLength_cells && isThin(s, m_rules.mostThickness_cells);
-        if (isPiece) pieces.push_back(&s);
+            !middle.empty() && isThin(m_directions[s.direction], middle, m_rules.mostThickness_cells);
+        if (isPiece) pieces.push_back({s, std::move(middle)});
         if (!isWall && !isPiece) continue;
         m_begins.add(s.direction, s.beginRow, &s);
         m_ends.add(s.direction, s.endRow, &s);
     }
     std::vector<bool> isWall(runs.runs().size(), false);
-    for (const WallSegment* s : pieces) {
+    for (Piece& piece : pieces) {
+        const WallSegment& s = piece.segment;
         const bool standsAlone =
-            length_cells(*s) >= m_rules.minLength_cells && isThin(*s, m_rules.mostLoneThickness_cells);
-        if (!standsAlone && !isInLine(*s) && !facesAStub(*s, runs, stands)) continue;
-        std::vector<Cell> cells = middleOf(*s);
-        cells.push_back(s->cell);
-        for (const Cell c : cells)
+            length_cells(s) >= m_rules.minLength_cells &&
+            isThin(m_directions[s.direction], piece.middle, m_rules.mostLoneThickness_cells);
+        if (!standsAlone && !isInLine(s) && !facesAStub(s, runs, stands)) continue;
+        piece.middle.push_back(s.cell);
+        for (const Cell c : piece.middle)
             if (isObstacle(c)) isWall[runs.root(runs.find(m_grid.index(c)))] = true;
     }
     return isWall;
@@ -50,10 +58,9 @@ bool WallPieces::isThinAt(const LineDirection& direction, int step, int row, dou
     return thicknessAcross(m_grid, direction, step, row, most) <= most;
 }
 
-bool WallPieces::isThin(const WallSegment& s, double most_cells) const
+bool WallPieces::isThin(const LineDirection& direction, const std::vector<Cell>& middle,
+                        double most_cells) const
 {
-    const LineDirection& direction = m_directions[s.direction];
-    const std::vector<Cell> middle = middleOf(s);
     const auto thin = std::count_if(middle.begin(), middle.end(), [&](Cell c) {
         return isThinAt(direction, direction.step(c), direction.row(c), most_cells);
     });

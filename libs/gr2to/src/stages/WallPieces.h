@@ -11,13 +11,13 @@ namespace gr2to
 {
 struct WallPieceRules
 {
-    double minLength_cells = 20;         //!< of a piece wherever it stands
-    double minAlignedLength_cells = 14;  //!< of a piece in line with another one or with a wall
-    double mostThickness_cells = 14;     //!< of a piece in line, for half of its length at least
-    double mostLoneThickness_cells = 6;  //!< the same of any other
-    double doorway_cells = 40;           //!< pieces in line are at most that far apart: wider than doors are
-    double inLine_cells = 4;             //!< and at most that far off the line: as thick as walls are
-    double stub_cells = 3;               //!< of wall in line with a piece
+    double minLength_cells = 0;          //!< of a piece wherever it stands
+    double minAlignedLength_cells = 0;   //!< of a piece in line with another one or with a wall
+    double mostThickness_cells = 0;      //!< of a piece in line, for half of its length at least
+    double mostLoneThickness_cells = 0;  //!< the same of any other
+    double doorway_cells = 0;            //!< pieces in line are at most that far apart: wider than doors are
+    double inLine_cells = 0;             //!< and at most that far off the line: as thick as walls are
+    double stub_cells = 0;               //!< of wall in line with a piece
 };
 
 /** Tells free-standing pieces of wall from other free-standing things.
@@ -49,7 +49,7 @@ class WallPieces
     std::vector<Cell> middleOf(const WallSegment& s) const;
     bool isObstacle(Cell c) const { return m_grid.contains(c) && !m_grid.isFree(c); }
     bool isThinAt(const LineDirection& direction, int step, int row, double most_cells) const;
-    bool isThin(const WallSegment& s, double most_cells) const;
+    bool isThin(const LineDirection& direction, const std::vector<Cell>& middle, double most_cells) const;
     bool isInLine(const WallSegment& s) const;
     bool facesAStub(const WallSegment& s, Runs& runs, const Stands& stands) const;
 

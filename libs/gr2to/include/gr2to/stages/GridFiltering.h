@@ -39,8 +39,9 @@ class GridFilter
     /** \throws std::invalid_argument  an option is out of range */
     explicit GridFilter(TFilterOptions options);
 
-    /** \param segments  straight walls: a blob that holds one of `min_wall` or more stays, being a piece of
-     * wall, and so does one that holds one of `min_aligned_wall` in line with a wall that stays
+    /** \param segments  straight walls: a blob that holds one of `min_wall` or more, no thicker than
+     * `max_lone_thickness`, stays, being a piece of wall, and so does one that holds one of
+     * `min_aligned_wall`, no thicker than `max_wall_thickness`, in line with a wall or another piece
      * \param directions  that the segments run in
      * Cost: one pass over the cells. */
     FilteredGrid filter(const ClassifiedGrid& grid, const std::vector<WallSegment>& segments = {},

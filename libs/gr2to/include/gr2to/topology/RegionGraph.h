@@ -16,8 +16,10 @@ struct RegionGraphRules
  *
  * A place is a region that has a passage, or is large enough without one and as wide as the narrowest door;
  * its circle is the region's largest. A border as wide as a door is a door, a wider one an opening; narrower
- * ones connect nothing. \param distances  clearance from `obstacles` \throws OutputError  more places than
- * PlaceId can number
+ * ones connect nothing.
+ *
+ * \param distances  clearance from `obstacles`
+ * \throws OutputError  more places than PlaceId can number
  */
 PlaceGraph graphOfRegions(const Regions& regions, const VoronoiGraph& voronoi, const ClassifiedGrid& grid,
                           Obstacles obstacles, const DistanceMap& distances, const RegionGraphRules& rules);
